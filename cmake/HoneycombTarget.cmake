@@ -1,0 +1,30 @@
+# One place for what every target of the project is compiled with.
+
+# No contraction: each operation is rounded, so that all evaluators give the same bits.
+add_library(honeycomb_compile INTERFACE)
+target_compile_features(honeycomb_compile INTERFACE cxx_std_20)
+target_compile_options(honeycomb_compile INTERFACE -ffp-contract=off)
+target_include_directories(honeycomb_compile INTERFACE ${PROJECT_SOURCE_DIR})
+
+add_library(honeycomb_warnings INTERFACE)
+target_compile_options(honeycomb_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+
+add_library(honeycomb_sanitize INTERFACE)
+if(HONEYCOMB_SANITIZE)
+  target_compile_options(honeycomb_sanitize INTERFACE -fsanitize=${HONEYCOMB_SANITIZE} -fno-sanitize-recover=all
+                                                      -fno-omit-frame-pointer)
+  target_link_options(honeycomb_sanitize INTERFACE -fsanitize=${HONEYCOMB_SANITIZE})
+endif()
+
+# honeycomb_library(NAME sources...): the library honeycomb_NAME and its alias honeycomb::NAME.
+function(honeycomb_library name)
+  add_library(honeycomb_${name} ${ARGN})
+  add_library(honeycomb::${name} ALIAS honeycomb_${name})
+  target_link_libraries(honeycomb_${name} PUBLIC honeycomb_compile honeycomb_sanitize PRIVATE honeycomb_warnings)
+endfunction()
+
+# honeycomb_program(NAME sources...)
+function(honeycomb_program name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE honeycomb_compile honeycomb_sanitize honeycomb_warnings)
+endfunction()

@@ -1,0 +1,29 @@
+#include "far/tables/level_table.h"
+
+#include "far/tables/limit_table.h"
+
+namespace honeycomb::Far {
+
+namespace {
+
+template <class T>
+std::int64_t bytes(const std::vector<T>& v) {
+  return static_cast<std::int64_t>(v.size() * sizeof(T));
+}
+
+}  // namespace
+
+std::int64_t LevelTable::byteCount() const {
+  return bytes(circulants) + bytes(projected) + bytes(loose.outputs) + bytes(loose.offsets) + bytes(indices) +
+         bytes(weights) + bytes(weightsSingle);
+}
+
+std::int64_t LimitRows::byteCount() const {
+  return bytes(batches) + bytes(elements) + bytes(indices) + bytes(weights) + bytes(weightsSingle);
+}
+
+std::int64_t LimitTable::byteCount() const {
+  return faces.byteCount() + child.byteCount() + vertices.byteCount() + verticesHere.byteCount();
+}
+
+}  // namespace honeycomb::Far

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace honeycomb::Far {
+
+/// Faces with up to this many sides are evaluated by their circulant matrix directly, larger ones by projections.
+/// At 64 sides the even/odd form costs 64 operations an output from registers and stack; projections need a second
+/// pass over the corners, and a table row of weights for each side count.
+constexpr std::int32_t kLargestCirculant = 64;
+
+/// G faces of N sides whose N outputs are one circulant matrix times their N corners:
+///     out[firstOutput + g*N + i] = sum_k c[k] * in[indices[firstIndex + g*N + (i+k) % N]]
+///
+/// The order of operations, for every evaluator (each operation rounded; mod as above):
+///     N odd    out_i     = ((c_0 p_i + c_1 p_{i+1}) + c_2 p_{i+2}) + ...
+///     N even   M = N/2, q_j = p_j + p_{j+M}, d_j = p_j - p_{j+M} for j < M
+///              e_i = (E_0 q_i + E_1 q_{i+1}) + ...   over k < M, index i+k wraps to i+k-M
+///              o_i = (O_0 d_i + O_1 d_{i+1}) + ...   over k < M, a wrapped term is subtracted instead of added
+///              out_i = e_i + o_i,  out_{i+M} = e_i - o_i for i < M
+///              with E_k = (c_k + c_{k+M})/2, O_k = (c_k - c_{k+M})/2
+struct CirculantBatch {
+  std::int32_t sides = 0;        ///< N, 3..kLargestCirculant
+  std::int32_t faceCount = 0;    ///< G
+  std::int32_t firstIndex = 0;   ///< in LevelTable::indices, G x N of them
+  std::int32_t firstOutput = 0;  ///< outputs are contiguous
+  std::int32_t firstRow = 0;     ///< in the weights: the first row c, N of them
+  std::int32_t firstForm = 0;    ///< in the weights: N odd the same as firstRow; N even E (N/2), then O (N/2)
+};
+
+/// One large face: a matrix that is two diagonals plus rank three, applied in linear time. Full faces of more than
+/// kLargestCirculant sides, and large half faces of the brick boundary, whose mirrored half is folded into the weights.
+///     S = sum_j s_j p_j,  C = sum_j c_j p_j,  D = sum_j d_j p_j          p_j = in[indices[firstIndex + j]], j <
+///     corners out[firstOutput + i] = ((((w_0 p_a) + w_1 p_b) + x_i S) + y_i C) + z_i D      a = firstCorner + i, b =
+///     a+1 mod corners
+///
+/// Each sum is taken in blocks of kProjectionBlock corners in ascending order, starting from the first product of the
+/// block; the block sums are then added in ascending order, starting from the first.
+///     weights at firstWeight:  w_0 w_1 | s (corners) | c (corners) | d (corners) | x (outputs) | y (outputs) | z
+///     (outputs)
+struct ProjectedFace {
+  std::int32_t corners = 0;
+  std::int32_t outputs = 0;
+  std::int32_t firstCorner = 0;
+  std::int32_t firstIndex = 0;
+  std::int32_t firstOutput = 0;
+  std::int32_t firstWeight = 0;
+};
+constexpr std::int32_t kProjectionBlock = 256;
+
+/// Rows with weights or places of their own, in compressed sparse row form:
+///     out[outputs[r]] = (weights[b] in[indices[b]] + weights[b+1] in[indices[b+1]]) + ...   b = offsets[r] ..
+///     offsets[r+1]-1
+/// `indices` and `weights` are ranges of the level's arrays: entry b is indices[firstIndex + b] and weight[firstWeight
+/// + b].
+struct LooseRows {
+  std::vector<std::int32_t> outputs;     ///< output point of each row
+  std::vector<std::int32_t> offsets{0};  ///< rows + 1
+  std::int32_t firstIndex = 0;
+  std::int32_t firstWeight = 0;
+  std::int32_t rowCount() const { return static_cast<std::int32_t>(outputs.size()); }
+};
+
+/// What to compute to get the points of a level from those of the level before. Every point of the level is the output
+/// of exactly one row of one batch. Weights are computed in double and kept in double and float; every row sums to 1.
+struct LevelTable {
+  std::int32_t sourceCount = 0;  ///< points of the level before
+  std::int32_t targetCount = 0;  ///< points of this level
+  std::vector<CirculantBatch> circulants;
+  std::vector<ProjectedFace> projected;
+  LooseRows loose;
+  std::vector<std::int32_t> indices;  ///< source points, of all batches
+  std::vector<double> weights;        ///< of all batches
+  std::vector<float> weightsSingle;   ///< the same, rounded
+
+  /// The weights in the precision of the points.
+  template <class Real>
+  std::span<const Real> weightsAs() const;
+
+  /// Bytes held by the arrays.
+  std::int64_t byteCount() const;
+};
+
+template <>
+inline std::span<const double> LevelTable::weightsAs<double>() const {
+  return weights;
+}
+template <>
+inline std::span<const float> LevelTable::weightsAs<float>() const {
+  return weightsSingle;
+}
+
+}  // namespace honeycomb::Far

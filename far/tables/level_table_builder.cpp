@@ -1,0 +1,200 @@
+#include "far/tables/level_table_builder.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "far/base/index.h"
+#include "far/base/parallel.h"
+#include "far/tables/mirrored_polygon.h"
+
+namespace honeycomb::Far {
+
+namespace {
+
+/// The even and odd halves of a first row of even length, or the row itself: see CirculantBatch.
+std::vector<double> circulantForm(const std::vector<double>& row) {
+  if (row.size() % 2 != 0) return row;
+  const std::size_t half = row.size() / 2;
+  std::vector<double> form(row.size());
+  for (std::size_t k = 0; k < half; ++k) {
+    form[k] = (row[k] + row[k + half]) / 2;
+    form[half + k] = (row[k] - row[k + half]) / 2;
+  }
+  return form;
+}
+
+/// Weights on the corners of an N-gon that give its sum and its cosine and sine projections.
+struct Projections {
+  std::vector<double> sum, cosine, sine;
+  explicit Projections(std::int32_t sides) : sum(at(sides), 1.0), cosine(at(sides)), sine(at(sides)) {
+    for (std::int32_t j = 0; j < sides; ++j) {
+      const double angle = 2 * std::numbers::pi * j / sides;
+      cosine[at(j)] = std::cos(angle);
+      sine[at(j)] = std::sin(angle);
+    }
+  }
+};
+
+class Builder {
+ public:
+  Builder(const Topology& parent, const SplitResult& split, const Scheme& scheme)
+      : parent_(parent), split_(split), scheme_(scheme) {
+    table_.sourceCount = parent.vertexCount();
+    table_.targetCount = split.topology.vertexCount();
+  }
+
+  LevelTable build() {
+    for (const FaceRun& run : split_.topology.runs()) {
+      if (run.kind == FaceKind::full && run.parent == FaceParent::face) addFaces(run);
+    }
+    addOtherPoints();
+    table_.weightsSingle.assign(table_.weights.begin(), table_.weights.end());
+    return std::move(table_);
+  }
+
+ private:
+  std::int32_t indexCount() const { return static_cast<std::int32_t>(table_.indices.size()); }
+  std::int32_t weightCount() const { return static_cast<std::int32_t>(table_.weights.size()); }
+  std::int32_t addWeights(const std::vector<double>& weights) {
+    const std::int32_t first = weightCount();
+    table_.weights.insert(table_.weights.end(), weights.begin(), weights.end());
+    return first;
+  }
+
+  /// A run of whole face-faces: their outputs are the run's half-edges.
+  void addFaces(const FaceRun& run) {
+    const std::int32_t firstIndex = indexCount();
+    table_.indices.resize(at(firstIndex) + at(run.faceCount) * at(run.sides));
+    Parallel::forEach(0, run.faceCount, [&](std::int64_t g) {
+      const std::int32_t face = split_.topology.parents()[at(run.firstFace + g)];
+      const std::int32_t from = parent_.faceOffsets()[at(face)];
+      for (std::int32_t i = 0; i < run.sides; ++i) {
+        table_.indices[at(firstIndex) + at(g) * at(run.sides) + at(i)] = parent_.vert(from + i);
+      }
+    });
+    const CirculantRule rule = scheme_.faceRule(run.sides);
+    if (run.sides <= kLargestCirculant) {
+      const std::vector<double> row = firstRow(rule, run.sides);
+      const std::int32_t firstWeight = addWeights(row);
+      const std::int32_t firstForm = run.sides % 2 == 0 ? addWeights(circulantForm(row)) : firstWeight;
+      table_.circulants.push_back({run.sides, run.faceCount, firstIndex, run.firstHalfEdge, firstWeight, firstForm});
+    } else {
+      addProjectedRun(run, firstIndex, rule);
+    }
+  }
+
+  void addProjectedRun(const FaceRun& run, std::int32_t firstIndex, const CirculantRule& rule) {
+    const Projections p(run.sides);
+    const std::int32_t firstWeight = addProjectionWeights(rule, p.sum, p.cosine, p.sine, 0, run.sides, run.sides);
+    for (std::int32_t g = 0; g < run.faceCount; ++g) {
+      table_.projected.push_back(
+          {run.sides, run.sides, 0, firstIndex + g * run.sides, run.firstHalfEdge + g * run.sides, firstWeight});
+    }
+  }
+
+  /// out_i for polygon corners first .. first+outputs-1 of an N-gon:
+  ///     sum_j (mean + cosine cos(theta (j-i)) + sine sin(theta (j-i))) P_j + here P_i + next P_{i+1}
+  /// with the sums split by the addition theorems.
+  std::int32_t addProjectionWeights(const CirculantRule& rule, const std::vector<double>& sum,
+                                    const std::vector<double>& cosine, const std::vector<double>& sine,
+                                    std::int32_t first, std::int32_t outputs, std::int32_t sides) {
+    const std::int32_t firstWeight = addWeights({rule.here, rule.next});
+    addWeights(sum);
+    addWeights(cosine);
+    addWeights(sine);
+    std::vector<double> y(at(outputs));
+    std::vector<double> z(at(outputs));
+    for (std::int32_t i = 0; i < outputs; ++i) {
+      const double angle = 2 * std::numbers::pi * (first + i) / sides;
+      y[at(i)] = rule.cosine * std::cos(angle) - rule.sine * std::sin(angle);
+      z[at(i)] = rule.cosine * std::sin(angle) + rule.sine * std::cos(angle);
+    }
+    addWeights(std::vector<double>(at(outputs), rule.mean));
+    addWeights(y);
+    addWeights(z);
+    return firstWeight;
+  }
+
+  /// Points that are not corner points of whole faces: half faces one by one, the rest row by row.
+  void addOtherPoints() {
+    std::vector<Row> rows;
+    std::vector<std::int32_t> outputs;
+    const std::vector<NewPoint>& points = split_.otherPoints;
+    for (std::size_t i = 0; i < points.size();) {
+      const std::int32_t output = split_.cornerPoints + static_cast<std::int32_t>(i);
+      if (points[i].kind == PointKind::halfFaceCorner && scheme_.halfFaces == HalfFaces::mirrored) {
+        i += at(addHalfFace(parent_.face(points[i].halfEdge), output, rows, outputs));
+      } else {
+        rows.push_back(scheme_.boundaryRow(parent_, points[i]));
+        outputs.push_back(output);
+        ++i;
+      }
+    }
+    addLooseRows(rows, std::move(outputs));
+  }
+
+  /// Returns how many points the half face has.
+  std::int32_t addHalfFace(std::int32_t face, std::int32_t output, std::vector<Row>& rows,
+                           std::vector<std::int32_t>& outputs) {
+    const MirroredPolygon polygon(parent_, face);
+    const CirculantRule rule = scheme_.faceRule(polygon.sides());
+    if (polygon.sides() > kLargestCirculant) {
+      addProjectedHalfFace(polygon, rule, output);
+    } else {
+      const std::vector<double> row = firstRow(rule, polygon.sides());
+      for (std::int32_t e = 0; e < polygon.edgeCount(); ++e) {
+        rows.push_back(halfFaceRow(polygon, row, polygon.cornerAt(polygon.firstEdge() + e)));
+        outputs.push_back(output + e);
+      }
+    }
+    return polygon.edgeCount();
+  }
+
+  void addProjectedHalfFace(const MirroredPolygon& polygon, const CirculantRule& rule, std::int32_t output) {
+    const Projections p(polygon.sides());
+    const std::int32_t firstIndex = indexCount();
+    for (std::int32_t q = 0; q < polygon.count(); ++q) table_.indices.push_back(polygon.vertex(q));
+    const std::int32_t firstWeight =
+        addProjectionWeights(rule, polygon.fold(p.sum), polygon.fold(p.cosine), polygon.fold(p.sine),
+                             polygon.cornerAt(polygon.firstEdge()), polygon.edgeCount(), polygon.sides());
+    table_.projected.push_back(
+        {polygon.count(), polygon.edgeCount(), polygon.firstEdge(), firstIndex, output, firstWeight});
+  }
+
+  static Row halfFaceRow(const MirroredPolygon& polygon, const std::vector<double>& firstRow, std::int32_t corner) {
+    std::vector<double> weights(firstRow.size());
+    for (std::size_t k = 0; k < weights.size(); ++k) weights[(at(corner) + k) % weights.size()] = firstRow[k];
+    const std::vector<double> folded = polygon.fold(weights);
+    Row row;
+    for (std::int32_t q = 0; q < polygon.count(); ++q) row.push_back({polygon.vertex(q), folded[at(q)]});
+    return row;
+  }
+
+  void addLooseRows(const std::vector<Row>& rows, std::vector<std::int32_t> outputs) {
+    LooseRows& loose = table_.loose;
+    loose.firstIndex = indexCount();
+    loose.firstWeight = weightCount();
+    loose.outputs = std::move(outputs);
+    loose.offsets.assign(1, 0);
+    for (const Row& row : rows) {
+      for (const Weight& entry : row) {
+        table_.indices.push_back(entry.point);
+        table_.weights.push_back(entry.weight);
+      }
+      loose.offsets.push_back(loose.offsets.back() + static_cast<std::int32_t>(row.size()));
+    }
+  }
+
+  const Topology& parent_;
+  const SplitResult& split_;
+  const Scheme& scheme_;
+  LevelTable table_;
+};
+
+}  // namespace
+
+LevelTable buildLevelTable(const Topology& parent, const SplitResult& split, const Scheme& scheme) {
+  return Builder(parent, split, scheme).build();
+}
+
+}  // namespace honeycomb::Far

@@ -1,0 +1,147 @@
+#include "far/topology/topology.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "far/base/index.h"
+#include "far/base/parallel.h"
+#include "far/topology/edge_matching.h"
+
+namespace honeycomb::Far {
+
+namespace {
+
+Result<void> checkShape(const Polygons& polygons) {
+  if (polygons.vertexCount < 0 || polygons.faceOffsets.empty() || polygons.faceOffsets.front() != 0 ||
+      polygons.faceOffsets.back() != static_cast<std::int64_t>(polygons.indices.size()) ||
+      !std::is_sorted(polygons.faceOffsets.begin(), polygons.faceOffsets.end())) {
+    return fail(ErrorCode::invalidMesh, "face offsets must ascend from 0 to the number of corners");
+  }
+  if (polygons.indices.size() > at(std::numeric_limits<std::int32_t>::max())) {
+    return fail(ErrorCode::tooLarge, "the mesh has more than 2^31 - 1 half-edges; split it");
+  }
+  if (polygons.faceCount() == 0) return fail(ErrorCode::invalidMesh, "the mesh has no faces");
+  return {};
+}
+
+Error defectError(const std::vector<Defect>& defects) {
+  const Defect& first = defects.front();
+  std::string message = describe(first);
+  if (defects.size() > 1) message += fmt::format(" ({} defects in all)", defects.size());
+  message += fmt::format("; {}", remedy(first.kind));
+  return {ErrorCode::invalidMesh, std::move(message), first.face >= 0 ? first.face : first.vertex};
+}
+
+/// Faces sorted stably by side count; half-edges are then the corners in that order.
+TopologyArrays sortedFaces(const Polygons& polygons) {
+  const std::int64_t faceCount = polygons.faceCount();
+  std::vector<std::int32_t> sides(at(faceCount));
+  for (std::size_t f = 0; f < sides.size(); ++f) {
+    sides[f] = static_cast<std::int32_t>(polygons.faceOffsets[f + 1] - polygons.faceOffsets[f]);
+  }
+  TopologyArrays arrays;
+  arrays.vertexCount = polygons.vertexCount;
+  arrays.parents = Parallel::stableOrder(sides, *std::max_element(sides.begin(), sides.end()) + 1);
+  arrays.faceOffsets.resize(at(faceCount) + 1);
+  for (std::size_t f = 0; f < sides.size(); ++f) {
+    const std::int32_t n = sides[at(arrays.parents[f])];
+    const std::int32_t first = arrays.faceOffsets[f];
+    if (arrays.runs.empty() || arrays.runs.back().sides != n) {
+      arrays.runs.push_back({FaceKind::full, FaceParent::face, n, static_cast<std::int32_t>(f), first, 0});
+    }
+    ++arrays.runs.back().faceCount;
+    arrays.faceOffsets[f + 1] = first + n;
+  }
+  return arrays;
+}
+
+void copyLoops(const Polygons& polygons, const EdgeMatching& edges, TopologyArrays& arrays) {
+  const std::size_t corners = polygons.indices.size();
+  arrays.vert.resize(corners);
+  arrays.twin.resize(corners);
+  arrays.face.resize(corners);
+  std::vector<std::int32_t> place(corners);  // half-edge of each corner
+  const auto faceCount = static_cast<std::int64_t>(arrays.parents.size());
+  Parallel::forEach(
+      0, faceCount,
+      [&](std::int64_t f) {
+        std::int64_t corner = polygons.faceOffsets[at(arrays.parents[at(f)])];
+        for (std::int32_t h = arrays.faceOffsets[at(f)]; h < arrays.faceOffsets[at(f) + 1]; ++h, ++corner) {
+          arrays.vert[at(h)] = polygons.indices[at(corner)];
+          arrays.face[at(h)] = static_cast<std::int32_t>(f);
+          place[at(corner)] = h;
+        }
+      },
+      1024);
+  Parallel::forEach(0, static_cast<std::int64_t>(corners), [&](std::int64_t c) {
+    const std::int32_t twin = edges.twin[at(c)];
+    arrays.twin[at(place[at(c)])] = twin < 0 ? -1 : place[at(twin)];
+  });
+}
+
+void tagBoundary(const Polygons& polygons, TopologyArrays& arrays) {
+  for (std::size_t h = 0; h < arrays.twin.size(); ++h) {
+    if (arrays.twin[h] < 0) arrays.boundary.push_back(static_cast<std::int32_t>(h));
+  }
+  if (arrays.boundary.empty()) return;
+  arrays.boundaryTags.assign(arrays.boundary.size(), EdgeTag::onLine);
+  arrays.vertexTags.assign(at(arrays.vertexCount), VertexTag::interior);
+  for (const std::int32_t h : arrays.boundary) arrays.vertexTags[at(arrays.vert[at(h)])] = VertexTag::real;
+  for (const std::int32_t v : polygons.corners) arrays.vertexTags[at(v)] = VertexTag::corner;
+}
+
+}  // namespace
+
+Result<Topology> Topology::create(const Polygons& polygons) {
+  if (auto shape = checkShape(polygons); !shape) return tl::unexpected(shape.error());
+  const Inspection inspection = inspect(polygons);
+  if (!inspection.defects.empty()) return tl::unexpected(defectError(inspection.defects));
+  TopologyArrays arrays = sortedFaces(polygons);
+  copyLoops(polygons, inspection.edges, arrays);
+  arrays.outgoing = outgoingCorners(arrays.vert, arrays.twin, arrays.vertexCount);
+  tagBoundary(polygons, arrays);
+  return Topology(std::move(arrays));
+}
+
+std::int32_t Topology::facesAt(std::int32_t v) const {
+  const std::int32_t first = outgoing(v);
+  std::int32_t count = 0;
+  std::int32_t h = first;
+  do {
+    ++count;
+    h = nextOutgoing(h);
+  } while (h >= 0 && h != first);
+  return count;
+}
+
+std::int32_t Topology::valence(std::int32_t v) const {
+  return facesAt(v) + (onBoundary(v) ? 1 : 0);
+}
+
+FaceParent Topology::parentKind(std::int32_t f) const {
+  const auto after = std::upper_bound(a_.runs.begin(), a_.runs.end(), f,
+                                      [](std::int32_t face, const FaceRun& run) { return face < run.firstFace; });
+  return std::prev(after)->parent;
+}
+
+std::int64_t Topology::byteCount() const {
+  std::size_t bytes = a_.runs.size() * sizeof(FaceRun) + a_.boundaryTags.size() * sizeof(EdgeTag) +
+                      a_.vertexTags.size() * sizeof(VertexTag);
+  for (const auto* array : {&a_.vert, &a_.twin, &a_.face, &a_.faceOffsets, &a_.outgoing, &a_.parents, &a_.boundary}) {
+    bytes += array->size() * sizeof(std::int32_t);
+  }
+  return static_cast<std::int64_t>(bytes);
+}
+
+std::vector<std::int32_t> boundaryRanks(const Topology& topology) {
+  if (topology.closed()) return {};
+  std::vector<std::int32_t> ranks(at(topology.halfEdgeCount()), -1);
+  const auto boundary = topology.boundary();
+  Parallel::forEach(0, static_cast<std::int64_t>(boundary.size()),
+                    [&](std::int64_t r) { ranks[at(boundary[at(r)])] = static_cast<std::int32_t>(r); });
+  return ranks;
+}
+
+}  // namespace honeycomb::Far

@@ -1,0 +1,198 @@
+#include "io/pc2.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+
+#include "io/mapped_file.h"
+#include "io/output_file.h"
+
+namespace honeycomb::Io {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "frames are used as they stand in the little-endian file");
+
+using namespace std::string_view_literals;
+constexpr std::string_view kMagic = "POINTCACHE2\0"sv;
+constexpr std::int32_t kVersion = 1;
+constexpr std::size_t kHeaderBytes = 32;
+constexpr std::int32_t kFramesKept = 16;  // behind the frame last read; threads read a few frames at once
+
+// The header as it stands in the file.
+struct Header {
+  std::array<char, 12> magic{};
+  std::int32_t version = kVersion;
+  std::int32_t points = 0;
+  float start = 0;
+  float rate = 1;
+  std::int32_t frames = 0;
+};
+static_assert(sizeof(Header) == kHeaderBytes);
+
+// At most 24 GiB, far within 64 bits; the bytes of all frames need not be.
+std::size_t frameBytes(const Pc2Info& info) {
+  return 3 * sizeof(float) * static_cast<std::size_t>(info.pointCount);
+}
+
+// The position of the first NaN or infinity, -1 if there is none. The first pass has no branch, so that it vectorises.
+std::ptrdiff_t findNotFinite(std::span<const float> values) {
+  constexpr std::uint32_t kExponent = 0x7F800000U;
+  std::uint32_t found = 0;
+  for (const float value : values) {
+    found |= static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(value) & kExponent) == kExponent);
+  }
+  if (found == 0) return -1;
+  std::ptrdiff_t i = 0;
+  while (std::isfinite(values[static_cast<std::size_t>(i)])) ++i;
+  return i;
+}
+
+Result<void> checkFinite(std::string_view name, std::int64_t frame, std::span<const float> points) {
+  const std::ptrdiff_t wrong = findNotFinite(points);
+  if (wrong < 0) return {};
+  return fail(
+      ErrorCode::invalidPositions,
+      fmt::format("{}: vertex {} of frame {} (both counted from 0) has the coordinate {}; give it a finite position",
+                  name, wrong / 3, frame, points[static_cast<std::size_t>(wrong)]),
+      wrong / 3);
+}
+
+tl::unexpected<Error> failFile(std::string_view name, std::string_view what, std::int64_t element = -1) {
+  return fail(ErrorCode::invalidFile, fmt::format("{}: {}", name, what), element);
+}
+
+Result<Pc2Info> readHeader(std::string_view name, std::span<const std::byte> bytes) {
+  Header header;
+  if (bytes.empty()) return failFile(name, "is empty; give a PC2 point cache");
+  if (bytes.size() < kMagic.size() || std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) != 0) {
+    return failFile(name, "does not begin with POINTCACHE2; give a PC2 point cache");
+  }
+  if (bytes.size() < kHeaderBytes) return failFile(name, "ends within the header; export the cache again");
+  std::memcpy(&header, bytes.data(), kHeaderBytes);
+  if (header.version != kVersion) {
+    return failFile(name, fmt::format("is PC2 version {}, only version 1 is known; export it as that", header.version));
+  }
+  if (header.points < 1) {
+    return failFile(name, fmt::format("has {} points; export a cache of a mesh with vertices", header.points));
+  }
+  if (header.frames < 1) {
+    return failFile(name, fmt::format("has {} frames; export at least one frame", header.frames));
+  }
+  return Pc2Info{header.points, header.frames, header.start, header.rate};
+}
+
+// Divides rather than multiplies: points x frames of a hostile header pass 64 bits.
+Result<void> checkLength(std::string_view name, const Pc2Info& info, std::size_t fileBytes) {
+  const std::size_t whole = (fileBytes - kHeaderBytes) / frameBytes(info);
+  if (whole >= static_cast<std::size_t>(info.frameCount)) return {};
+  return failFile(name,
+                  fmt::format("is cut off within frame {} (counted from 0) of {} frames of {} points; export the cache "
+                              "again or copy it whole",
+                              whole, info.frameCount, info.pointCount),
+                  static_cast<std::int64_t>(whole));
+}
+
+}  // namespace
+
+struct Pc2Reader::Mapping {
+  MappedFile file;
+  std::string name;
+  Pc2Info info;
+
+  std::size_t frameBegin(std::int32_t f) const { return kHeaderBytes + static_cast<std::size_t>(f) * frameBytes(info); }
+};
+
+Pc2Reader::Pc2Reader(std::unique_ptr<Mapping> mapping) : mapping_(std::move(mapping)) {}
+Pc2Reader::Pc2Reader(Pc2Reader&&) noexcept = default;
+Pc2Reader& Pc2Reader::operator=(Pc2Reader&&) noexcept = default;
+Pc2Reader::~Pc2Reader() = default;
+
+Result<Pc2Reader> Pc2Reader::open(const std::filesystem::path& path) {
+  Result<MappedFile> file = MappedFile::open(path);
+  if (!file) return tl::unexpected<Error>(file.error());
+  const Result<Pc2Info> info = readHeader(path.string(), file->bytes());
+  if (!info) return tl::unexpected<Error>(info.error());
+  const Result<void> whole = checkLength(path.string(), *info, file->bytes().size());
+  if (!whole) return tl::unexpected<Error>(whole.error());
+  file->expectSequentialReads();
+  return Pc2Reader(std::make_unique<Mapping>(Mapping{std::move(*file), path.string(), *info}));
+}
+
+const Pc2Info& Pc2Reader::info() const {
+  return mapping_->info;
+}
+
+Result<std::span<const float>> Pc2Reader::frame(std::int32_t f) const {
+  const Mapping& m = *mapping_;
+  if (f < 0 || f >= m.info.frameCount) {
+    return fail(ErrorCode::invalidOption,
+                fmt::format("{}: has no frame {}; name one of 0 to {}", m.name, f, m.info.frameCount - 1));
+  }
+  if (f > kFramesKept) m.file.release(m.frameBegin(f - kFramesKept - 1), m.frameBegin(f - kFramesKept));
+  const std::byte* first = m.file.bytes().data() + m.frameBegin(f);
+  const std::span<const float> points(reinterpret_cast<const float*>(first), frameBytes(m.info) / sizeof(float));
+  if (Result<void> finite = checkFinite(m.name, f, points); !finite) return tl::unexpected<Error>(finite.error());
+  return points;
+}
+
+struct Pc2Writer::State {
+  OutputFile file;
+  std::string name;
+  Pc2Info info;
+  std::int32_t written = 0;  // frames
+};
+
+Pc2Writer::Pc2Writer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Pc2Writer::Pc2Writer(Pc2Writer&&) noexcept = default;
+Pc2Writer& Pc2Writer::operator=(Pc2Writer&&) noexcept = default;
+Pc2Writer::~Pc2Writer() = default;
+
+Result<Pc2Writer> Pc2Writer::create(const std::filesystem::path& path, const Pc2Info& info) {
+  if (info.pointCount < 1 || info.frameCount < 1) {
+    return fail(ErrorCode::invalidOption,
+                fmt::format("{}: a PC2 cache of {} points and {} frames cannot be; give one or "
+                            "more of each",
+                            path.string(), info.pointCount, info.frameCount));
+  }
+  Result<OutputFile> file = OutputFile::create(path);
+  if (!file) return tl::unexpected<Error>(file.error());
+  Header header;
+  kMagic.copy(header.magic.data(), kMagic.size());
+  header.points = info.pointCount;
+  header.start = info.start;
+  header.rate = info.rate;
+  header.frames = info.frameCount;
+  if (Result<void> written = file->write(std::as_bytes(std::span(&header, 1))); !written) {
+    return tl::unexpected<Error>(written.error());
+  }
+  return Pc2Writer(std::make_unique<State>(State{std::move(*file), path.string(), info}));
+}
+
+Result<void> Pc2Writer::write(std::span<const float> points) {
+  State& s = *state_;
+  if (points.size() != 3 * static_cast<std::size_t>(s.info.pointCount)) {
+    return fail(ErrorCode::invalidOption, fmt::format("{}: frame {} has {} coordinates; give 3 for each of {} points",
+                                                      s.name, s.written, points.size(), s.info.pointCount));
+  }
+  if (s.written == s.info.frameCount) {
+    return fail(ErrorCode::invalidOption, fmt::format("{}: has all its {} frames; create it with the number you write",
+                                                      s.name, s.info.frameCount));
+  }
+  if (Result<void> finite = checkFinite(s.name, s.written, points); !finite) return finite;
+  if (Result<void> written = s.file.write(std::as_bytes(points)); !written) return written;
+  ++s.written;
+  return {};
+}
+
+Result<void> Pc2Writer::finish() {
+  State& s = *state_;
+  if (s.written == s.info.frameCount) return s.file.commit();
+  return fail(ErrorCode::unwritable, fmt::format("{}: only {} of {} frames were written; write them all before finish",
+                                                 s.name, s.written, s.info.frameCount));
+}
+
+}  // namespace honeycomb::Io

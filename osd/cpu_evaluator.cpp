@@ -1,0 +1,230 @@
+#include "osd/cpu_evaluator.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <type_traits>
+
+#include "far/base/index.h"
+#include "far/base/parallel.h"
+#include "osd/cpu_kernels.h"
+
+namespace honeycomb::Osd {
+
+namespace {
+
+using Kernels::View;
+
+/// Points below which a batch stays on the calling thread: about 10 us of work, several times the cost of a task.
+constexpr std::int64_t kPointsPerTask = 4096;
+
+/// Runs body on [0, count) in one piece or in parallel pieces of about kPointsPerTask points.
+template <class Body>
+void split(CpuEvaluator::Threads threads, std::int64_t count, std::int64_t pointsPerItem, const Body& body) {
+  if (count == 0) return;
+  if (threads == CpuEvaluator::Threads::one) return body(std::int64_t{0}, count);
+  Parallel::forRange(0, count, std::max<std::int64_t>(1, kPointsPerTask / pointsPerItem), body);
+}
+
+/// Calls body(std::integral_constant<N>) with N = sides where a kernel is specialised for it, else 0.
+template <class Body>
+void forSides(std::int32_t sides, const Body& body) {
+  switch (sides) {
+    case 3:
+      return body(std::integral_constant<int, 3>{});
+    case 4:
+      return body(std::integral_constant<int, 4>{});
+    case 5:
+      return body(std::integral_constant<int, 5>{});
+    case 6:
+      return body(std::integral_constant<int, 6>{});
+    case 7:
+      return body(std::integral_constant<int, 7>{});
+    case 8:
+      return body(std::integral_constant<int, 8>{});
+    default:
+      return body(std::integral_constant<int, 0>{});
+  }
+}
+
+/// All batches of a level on `Width` values of each point. They write different points, so their order has no meaning.
+template <int Width, class Real>
+void evaluatePiece(CpuEvaluator::Threads threads, const Far::LevelTable& table, const View<const Real>& in,
+                   const View<Real>& out) {
+  for (const Far::CirculantBatch& batch : table.circulants) {
+    split(threads, batch.faceCount, batch.sides, [&](std::int64_t begin, std::int64_t end) {
+      forSides(batch.sides, [&](auto sides) {
+        Kernels::circulantFaces<decltype(sides)::value, Width>(table, batch, in, out, begin, end);
+      });
+    });
+  }
+  split(threads, static_cast<std::int64_t>(table.projected.size()), kPointsPerTask,
+        [&](std::int64_t begin, std::int64_t end) {
+          for (std::int64_t f = begin; f < end; ++f)
+            Kernels::projectedFace<Width>(table, table.projected[at(f)], in, out);
+        });
+  split(threads, table.loose.rowCount(), 1,
+        [&](std::int64_t begin, std::int64_t end) { Kernels::looseRows<Width>(table, in, out, begin, end); });
+}
+
+/// A level on points of any length, in pieces of up to four values.
+template <class Real>
+void evaluateLevel(CpuEvaluator::Threads threads, const Far::LevelTable& table, const Points<Real>& source,
+                   const PointsOut<Real>& target) {
+  for (std::int32_t done = 0; done < source.desc.length; done += Kernels::kPiece) {
+    const View<const Real> in{source.data.data() + source.desc.offset + done, source.desc.stride};
+    const View<Real> out{target.data.data() + target.desc.offset + done, target.desc.stride};
+    switch (std::min(Kernels::kPiece, source.desc.length - done)) {
+      case 1:
+        evaluatePiece<1>(threads, table, in, out);
+        break;
+      case 2:
+        evaluatePiece<2>(threads, table, in, out);
+        break;
+      case 3:
+        evaluatePiece<3>(threads, table, in, out);
+        break;
+      default:
+        evaluatePiece<4>(threads, table, in, out);
+        break;
+    }
+  }
+}
+
+template <class Real>
+Result<void> check(const Points<Real>& source, std::int64_t sourceCount, const PointsOut<Real>& target,
+                   std::int64_t targetCount) {
+  if (auto ok = checkDescriptor(source.desc, static_cast<std::int64_t>(source.data.size()), sourceCount, "source");
+      !ok) {
+    return ok;
+  }
+  if (auto ok = checkDescriptor(target.desc, static_cast<std::int64_t>(target.data.size()), targetCount, "target");
+      !ok) {
+    return ok;
+  }
+  if (source.desc.length != target.desc.length) {
+    return fail(ErrorCode::invalidOption,
+                fmt::format("source and target differ in length, {} and {}", source.desc.length, target.desc.length));
+  }
+  return {};
+}
+
+template <class Real>
+void evaluateFrames(CpuEvaluator::Threads threads, const Far::LimitRows& rows, const View<const Real>& in,
+                    const View<Real>& positions, const View<Real>& normals) {
+  for (const Far::FrameBatch& batch : rows.batches) {
+    split(threads, batch.count, batch.sides, [&](std::int64_t begin, std::int64_t end) {
+      Kernels::frames(rows, batch, in, positions, normals, begin, end);
+    });
+  }
+}
+
+template <class Real>
+Result<void> checkLimits(const Points<Real>& points, std::int64_t pointCount, const PointsOut<Real>& positions,
+                         const PointsOut<Real>& normals, std::int64_t elements) {
+  if (pointCount == 0) return fail(ErrorCode::invalidOption, "the refinement was built without limits");
+  if (points.desc.length != 3) return fail(ErrorCode::invalidOption, "limits are of positions: length 3");
+  const auto size = [](const auto& span) { return static_cast<std::int64_t>(span.size()); };
+  if (auto ok = checkDescriptor(points.desc, size(points.data), pointCount, "points"); !ok) return ok;
+  for (const PointsOut<Real>* out : {&positions, &normals}) {
+    if (out->data.empty()) continue;
+    if (out->desc.length != 3) return fail(ErrorCode::invalidOption, "limit positions and normals have length 3");
+    if (auto ok = checkDescriptor(out->desc, size(out->data), elements, "limits"); !ok) return ok;
+  }
+  return {};
+}
+
+template <class Real>
+View<const Real> view(const Points<Real>& points) {
+  return {points.data.data() + points.desc.offset, points.desc.stride};
+}
+
+template <class Real>
+View<Real> view(const PointsOut<Real>& points) {
+  if (points.data.empty()) return {nullptr, 0};
+  return {points.data.data() + points.desc.offset, points.desc.stride};
+}
+
+}  // namespace
+
+template <>
+std::vector<float>& CpuEvaluator::scratch<float>(std::int32_t which) {
+  return single_[which];
+}
+template <>
+std::vector<double>& CpuEvaluator::scratch<double>(std::int32_t which) {
+  return double_[which];
+}
+
+template <class Real>
+Result<void> CpuEvaluator::evaluate(const Far::LevelTable& table, const Points<Real>& source,
+                                    const PointsOut<Real>& target) {
+  if (auto ok = check(source, table.sourceCount, target, table.targetCount); !ok) return ok;
+  evaluateLevel(threads_, table, source, target);
+  return {};
+}
+
+template <class Real>
+Result<void> CpuEvaluator::evaluate(const Far::Refinement& refinement, std::int32_t level, const Points<Real>& control,
+                                    const PointsOut<Real>& refined) {
+  if (level < 1 || level > refinement.levelCount()) {
+    return fail(ErrorCode::invalidOption,
+                fmt::format("level {} is out of range; use 1 to {}", level, refinement.levelCount()));
+  }
+  if (auto ok =
+          check(control, refinement.level(1).table.sourceCount, refined, refinement.level(level).table.targetCount);
+      !ok) {
+    return ok;
+  }
+  const std::int32_t length = control.desc.length;
+  Points<Real> source = control;
+  for (std::int32_t k = 1; k < level; ++k) {
+    const Far::LevelTable& table = refinement.level(k).table;
+    std::vector<Real>& points = scratch<Real>(k % 2);
+    const std::size_t size = at(table.targetCount) * at(length);
+    if (points.size() < size) points.resize(size);
+    evaluateLevel(threads_, table, source, PointsOut<Real>{points, {0, length, length}});
+    source = {points, {0, length, length}};
+  }
+  evaluateLevel(threads_, refinement.level(level).table, source, refined);
+  return {};
+}
+
+template <class Real>
+Result<void> CpuEvaluator::vertexLimits(const Far::LimitTable& limits, const Points<Real>& points,
+                                        const PointsOut<Real>& positions, const PointsOut<Real>& normals) {
+  if (auto ok = checkLimits(points, limits.child.sourceCount, positions, normals, limits.vertices.elementCount); !ok) {
+    return ok;
+  }
+  std::vector<Real>& child = scratch<Real>(0);
+  const std::size_t size = 3 * at(limits.child.targetCount);
+  if (child.size() < size) child.resize(size);
+  evaluateLevel(threads_, limits.child, points, PointsOut<Real>{child, {0, 3, 3}});
+  evaluateFrames(threads_, limits.vertices, View<const Real>{child.data(), 3}, view(positions), view(normals));
+  evaluateFrames(threads_, limits.verticesHere, view(points), view(positions), view(normals));
+  return {};
+}
+
+template <class Real>
+Result<void> CpuEvaluator::faceLimits(const Far::LimitTable& limits, const Points<Real>& points,
+                                      const PointsOut<Real>& positions, const PointsOut<Real>& normals) {
+  if (auto ok = checkLimits(points, limits.faces.sourceCount, positions, normals, limits.faces.elementCount); !ok) {
+    return ok;
+  }
+  evaluateFrames(threads_, limits.faces, view(points), view(positions), view(normals));
+  return {};
+}
+
+#define HONEYCOMB_INSTANTIATE(Real)                                                                                   \
+  template Result<void> CpuEvaluator::evaluate(const Far::LevelTable&, const Points<Real>&, const PointsOut<Real>&);  \
+  template Result<void> CpuEvaluator::evaluate(const Far::Refinement&, std::int32_t, const Points<Real>&,             \
+                                               const PointsOut<Real>&);                                               \
+  template Result<void> CpuEvaluator::vertexLimits(const Far::LimitTable&, const Points<Real>&,                       \
+                                                   const PointsOut<Real>&, const PointsOut<Real>&);                   \
+  template Result<void> CpuEvaluator::faceLimits(const Far::LimitTable&, const Points<Real>&, const PointsOut<Real>&, \
+                                                 const PointsOut<Real>&);
+HONEYCOMB_INSTANTIATE(float)
+HONEYCOMB_INSTANTIATE(double)
+#undef HONEYCOMB_INSTANTIATE
+
+}  // namespace honeycomb::Osd

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "far/base/result.h"
+#include "far/tables/refinement.h"
+#include "osd/buffer_descriptor.h"
+
+namespace honeycomb::Osd {
+
+/// Applies tables on the CPU. One evaluator belongs to one thread at a time; it keeps the points of the levels in
+/// between from frame to frame, so that nothing is allocated once it is warm. Tables are only read and may be shared.
+///
+/// All evaluators give the same bits for the same table and input: the order of operations is written down with the
+/// batches (far/tables/level_table.h).
+class CpuEvaluator {
+ public:
+  enum class Threads { one, all };
+  explicit CpuEvaluator(Threads threads) : threads_(threads) {}
+
+  /// One level: reads table.sourceCount points, writes table.targetCount. Source and target must not overlap.
+  template <class Real>
+  Result<void> evaluate(const Far::LevelTable& table, const Points<Real>& source, const PointsOut<Real>& target);
+
+  /// From the control points to level `level` (1..levelCount) of a refinement.
+  template <class Real>
+  Result<void> evaluate(const Far::Refinement& refinement, std::int32_t level, const Points<Real>& control,
+                        const PointsOut<Real>& refined);
+
+  /// Limit positions (length 3) and unit normals (length 3) of all vertices of the level the limits were built for,
+  /// from that level's points (length 3). Either output may be empty (data.empty()).
+  template <class Real>
+  Result<void> vertexLimits(const Far::LimitTable& limits, const Points<Real>& points, const PointsOut<Real>& positions,
+                            const PointsOut<Real>& normals);
+
+  /// The same of all faces.
+  template <class Real>
+  Result<void> faceLimits(const Far::LimitTable& limits, const Points<Real>& points, const PointsOut<Real>& positions,
+                          const PointsOut<Real>& normals);
+
+ private:
+  template <class Real>
+  std::vector<Real>& scratch(std::int32_t which);
+
+  Threads threads_;
+  std::vector<float> single_[2];
+  std::vector<double> double_[2];
+};
+
+/// The reference: one thread, plain loops.
+class SerialEvaluator : public CpuEvaluator {
+ public:
+  SerialEvaluator() : CpuEvaluator(Threads::one) {}
+};
+
+/// The same kernels over ranges of faces and rows on all threads of the caller's oneTBB arena.
+class TbbEvaluator : public CpuEvaluator {
+ public:
+  TbbEvaluator() : CpuEvaluator(Threads::all) {}
+};
+
+}  // namespace honeycomb::Osd

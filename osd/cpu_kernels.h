@@ -1,0 +1,199 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "far/base/index.h"
+#include "far/tables/level_table.h"
+#include "far/tables/limit_table.h"
+#include "osd/buffer_descriptor.h"
+
+/// The arithmetic of every batch kind, once, for the CPU. The order of operations is that written down with the
+/// batches; shaders/*.comp do the same under the same names.
+namespace honeycomb::Osd::Kernels {
+
+/// A buffer of points as kernels see it.
+template <class Real>
+struct View {
+  Real* data;  ///< the first value of point 0
+  std::int64_t stride;
+  Real* point(std::int32_t i) const { return data + i * stride; }
+};
+
+/// Values of a point handled together: primvars of any length are cut into pieces of at most this many.
+constexpr std::int32_t kPiece = 4;
+
+template <int Width, class Real>
+std::array<std::remove_const_t<Real>, at(Width)> load(Real* p) {
+  std::array<std::remove_const_t<Real>, at(Width)> v;
+  for (int c = 0; c < Width; ++c) v[at(c)] = p[c];
+  return v;
+}
+
+template <class Real, std::size_t Width>
+void store(const std::array<Real, Width>& v, Real* p) {
+  for (std::size_t c = 0; c < Width; ++c) p[c] = v[c];
+}
+
+template <class Real, std::size_t Width>
+std::array<Real, Width> operator+(const std::array<Real, Width>& a, const std::array<Real, Width>& b) {
+  std::array<Real, Width> r;
+  for (std::size_t c = 0; c < Width; ++c) r[c] = a[c] + b[c];
+  return r;
+}
+
+template <class Real, std::size_t Width>
+std::array<Real, Width> operator-(const std::array<Real, Width>& a, const std::array<Real, Width>& b) {
+  std::array<Real, Width> r;
+  for (std::size_t c = 0; c < Width; ++c) r[c] = a[c] - b[c];
+  return r;
+}
+
+template <class Real, std::size_t Width>
+std::array<Real, Width> operator-(const std::array<Real, Width>& a) {
+  std::array<Real, Width> r;
+  for (std::size_t c = 0; c < Width; ++c) r[c] = -a[c];
+  return r;
+}
+
+template <class Real, std::size_t Width>
+std::array<Real, Width> operator*(Real w, const std::array<Real, Width>& a) {
+  std::array<Real, Width> r;
+  for (std::size_t c = 0; c < Width; ++c) r[c] = w * a[c];
+  return r;
+}
+
+/// Out of `sides` corners p, the N outputs of CirculantBatch. N is `sides` where it is known to the compiler, else 0.
+template <int N, class Real, std::size_t Width>
+void circulantOdd(const Real* c, const std::array<Real, Width>* p, std::int32_t sides, const View<Real>& out,
+                  std::int32_t first) {
+  const std::int32_t n = N > 0 ? N : sides;
+  for (std::int32_t i = 0; i < n; ++i) {
+    std::array<Real, Width> sum = c[0] * p[i];
+    for (std::int32_t k = 1; k < n; ++k) sum = sum + c[k] * p[i + k < n ? i + k : i + k - n];
+    store(sum, out.point(first + i));
+  }
+}
+
+template <int N, class Real, std::size_t Width>
+void circulantEven(const Real* form, const std::array<Real, Width>* p, std::int32_t sides, const View<Real>& out,
+                   std::int32_t first) {
+  const std::int32_t m = (N > 0 ? N : sides) / 2;
+  // Twice over, the second time with the sign of a wrapped term, so that no index wraps.
+  std::array<Real, Width> q[N > 0 ? N : Far::kLargestCirculant];
+  std::array<Real, Width> d[N > 0 ? N : Far::kLargestCirculant];
+  for (std::int32_t j = 0; j < m; ++j) {
+    q[j] = q[j + m] = p[j] + p[j + m];
+    d[j] = p[j] - p[j + m];
+    d[j + m] = -d[j];
+  }
+  for (std::int32_t i = 0; i < m; ++i) {
+    std::array<Real, Width> even = form[0] * q[i];
+    std::array<Real, Width> odd = form[m] * d[i];
+    for (std::int32_t k = 1; k < m; ++k) {
+      even = even + form[k] * q[i + k];
+      odd = odd + form[m + k] * d[i + k];
+    }
+    store(even + odd, out.point(first + i));
+    store(even - odd, out.point(first + i + m));
+  }
+}
+
+/// Faces begin .. end-1 of a batch.
+template <int N, int Width, class Real>
+void circulantFaces(const Far::LevelTable& table, const Far::CirculantBatch& batch, const View<const Real>& in,
+                    const View<Real>& out, std::int64_t begin, std::int64_t end) {
+  const std::int32_t n = N > 0 ? N : batch.sides;
+  const Real* form = table.weightsAs<Real>().data() + batch.firstForm;
+  const std::int32_t* index = table.indices.data() + batch.firstIndex + begin * n;
+  std::array<Real, at(Width)> p[N > 0 ? N : Far::kLargestCirculant];
+  for (std::int64_t g = begin; g < end; ++g, index += n) {
+    for (std::int32_t i = 0; i < n; ++i) p[i] = load<Width>(in.point(index[i]));
+    const auto first = static_cast<std::int32_t>(batch.firstOutput + g * n);
+    n % 2 == 0 ? circulantEven<N>(form, p, n, out, first) : circulantOdd<N>(form, p, n, out, first);
+  }
+}
+
+/// sum_j weights[j] p_j over `count` points, in blocks: see ProjectedFace.
+template <int Width, class Real>
+std::array<Real, at(Width)> blockedSum(const Real* weights, const std::int32_t* index, std::int32_t count,
+                                       const View<const Real>& in) {
+  std::array<Real, at(Width)> total{};
+  for (std::int32_t block = 0; block < count; block += Far::kProjectionBlock) {
+    const std::int32_t end = std::min(count, block + Far::kProjectionBlock);
+    std::array<Real, at(Width)> sum = weights[block] * load<Width>(in.point(index[block]));
+    for (std::int32_t j = block + 1; j < end; ++j) sum = sum + weights[j] * load<Width>(in.point(index[j]));
+    total = block == 0 ? sum : total + sum;
+  }
+  return total;
+}
+
+template <int Width, class Real>
+void projectedFace(const Far::LevelTable& table, const Far::ProjectedFace& face, const View<const Real>& in,
+                   const View<Real>& out) {
+  const Real* w = table.weightsAs<Real>().data() + face.firstWeight;
+  const std::int32_t* index = table.indices.data() + face.firstIndex;
+  const Real* s = w + 2;
+  const auto sum = blockedSum<Width>(s, index, face.corners, in);
+  const auto cosine = blockedSum<Width>(s + face.corners, index, face.corners, in);
+  const auto sine = blockedSum<Width>(s + 2 * std::int64_t{face.corners}, index, face.corners, in);
+  const Real* x = s + 3 * std::int64_t{face.corners};
+  const Real* y = x + face.outputs;
+  const Real* z = y + face.outputs;
+  for (std::int32_t i = 0; i < face.outputs; ++i) {
+    const std::int32_t a = face.firstCorner + i;
+    const std::int32_t b = a + 1 == face.corners ? 0 : a + 1;
+    const auto here = w[0] * load<Width>(in.point(index[a])) + w[1] * load<Width>(in.point(index[b]));
+    store(((here + x[i] * sum) + y[i] * cosine) + z[i] * sine, out.point(face.firstOutput + i));
+  }
+}
+
+/// Rows begin .. end-1.
+template <int Width, class Real>
+void looseRows(const Far::LevelTable& table, const View<const Real>& in, const View<Real>& out, std::int64_t begin,
+               std::int64_t end) {
+  const Far::LooseRows& rows = table.loose;
+  const Real* weights = table.weightsAs<Real>().data() + rows.firstWeight;
+  const std::int32_t* index = table.indices.data() + rows.firstIndex;
+  for (std::int64_t r = begin; r < end; ++r) {
+    const std::int32_t last = rows.offsets[at(r) + 1];
+    std::int32_t b = rows.offsets[at(r)];
+    auto sum = weights[b] * load<Width>(in.point(index[b]));
+    for (++b; b < last; ++b) sum = sum + weights[b] * load<Width>(in.point(index[b]));
+    store(sum, out.point(rows.outputs[at(r)]));
+  }
+}
+
+/// T1 x T2 made unit, the zero vector where that has no meaning: see LimitRows.
+template <class Real>
+std::array<Real, 3> unitNormal(const std::array<Real, 3>& t1, const std::array<Real, 3>& t2) {
+  const std::array<Real, 3> n{t1[1] * t2[2] - t1[2] * t2[1], t1[2] * t2[0] - t1[0] * t2[2],
+                              t1[0] * t2[1] - t1[1] * t2[0]};
+  const Real q = (n[0] * n[0] + n[1] * n[1]) + n[2] * n[2];
+  if (!(q >= std::numeric_limits<Real>::min()) || !std::isfinite(q)) return {};
+  const Real r = Real{1} / std::sqrt(q);
+  return {n[0] * r, n[1] * r, n[2] * r};
+}
+
+/// Elements begin .. end-1 of a batch; a view without data is not written.
+template <class Real>
+void frames(const Far::LimitRows& rows, const Far::FrameBatch& batch, const View<const Real>& in,
+            const View<Real>& positions, const View<Real>& normals, std::int64_t begin, std::int64_t end) {
+  const std::int32_t n = batch.sides;
+  const Real* w = rows.weightsAs<Real>().data() + batch.firstWeight;
+  for (std::int64_t g = begin; g < end; ++g) {
+    const std::int32_t* index = rows.indices.data() + batch.firstIndex + g * n;
+    const std::int32_t element = rows.elements[at(batch.firstElement + g)];
+    if (positions.data != nullptr) store(blockedSum<3>(w, index, n, in), positions.point(element));
+    if (normals.data == nullptr) continue;
+    const auto t1 = blockedSum<3>(w + n, index, n, in);
+    const auto t2 = blockedSum<3>(w + 2 * std::int64_t{n}, index, n, in);
+    store(unitNormal(t1, t2), normals.point(element));
+  }
+}
+
+}  // namespace honeycomb::Osd::Kernels

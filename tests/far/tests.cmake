@@ -1,0 +1,36 @@
+set(honeycomb_far_tests
+  counts_test.cpp
+  defects_test.cpp
+  geometry_test.cpp
+  golden_files_test.cpp
+  golden_half_edges_test.cpp
+  golden_test.cpp
+  large_faces_test.cpp
+  limits_test.cpp
+  options_test.cpp
+  reference_test.cpp
+  stencil_test.cpp
+  tables_test.cpp
+  topology_test.cpp)
+list(TRANSFORM honeycomb_far_tests PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
+
+# The tests' own shapes, random meshes, comparison and reference implementation.
+honeycomb_library(test_support STATIC
+  ${CMAKE_CURRENT_LIST_DIR}/../support/golden.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/manifold_check.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/mesh_compare.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/mesh_edit.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/poly_mesh.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/random_mesh.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/reference_zip.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/refined.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/sha256.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/shapes.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/table_rows.cpp)
+target_link_libraries(honeycomb_test_support PUBLIC honeycomb::far honeycomb::osd)
+target_compile_definitions(honeycomb_test_support PRIVATE HONEYCOMB_TEST_DATA="${CMAKE_CURRENT_LIST_DIR}/../golden")
+
+honeycomb_test(far_tests
+  LABELS threads
+  SOURCES ${honeycomb_far_tests}
+  LIBRARIES honeycomb::test_support honeycomb::far honeycomb::osd honeycomb::io)

@@ -1,0 +1,16 @@
+find_package(PNG REQUIRED)
+honeycomb_test(io_tests
+  LABELS threads
+  SOURCES
+    io/mapped_file_test.cpp
+    io/obj_corners_test.cpp
+    io/obj_errors_test.cpp
+    io/obj_reader_test.cpp
+    io/obj_round_trip_test.cpp
+    io/obj_writer_test.cpp
+    io/output_file_test.cpp
+    io/pc2_reader_test.cpp
+    io/pc2_writer_test.cpp
+    io/png_test.cpp
+    io/text_cursor_test.cpp
+  LIBRARIES honeycomb::io PNG::PNG)

@@ -1,0 +1,15 @@
+honeycomb_test(osd_tests
+  LABELS threads
+  SOURCES
+    ${CMAKE_CURRENT_LIST_DIR}/buffer_errors_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/evaluators_test.cpp
+  LIBRARIES honeycomb::test_support honeycomb::far honeycomb::osd honeycomb::io)
+
+if(HONEYCOMB_SANITIZE STREQUAL "thread")
+  honeycomb_program(seeded_race ${CMAKE_CURRENT_LIST_DIR}/seeded_race.cpp)
+  target_link_libraries(seeded_race PRIVATE honeycomb::far)
+  add_dependencies(tests_threads seeded_race)
+  add_test(NAME ThreadSanitizer.ReportsASeededRace COMMAND seeded_race)
+  set_tests_properties(ThreadSanitizer.ReportsASeededRace PROPERTIES LABELS threads
+                                                                     PASS_REGULAR_EXPRESSION "data race")
+endif()
