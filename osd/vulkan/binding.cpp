@@ -1,0 +1,195 @@
+#include "osd/vulkan/binding.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "osd/vulkan/errors.h"
+
+namespace honeycomb::Osd {
+
+Result<VulkanBinding> VulkanBinding::create(const std::shared_ptr<const VulkanCore>& core,
+                                            const std::shared_ptr<VulkanPipelines>& pipelines, const VulkanTable& table,
+                                            const VulkanTargets& targets) {
+  VulkanBinding binding;
+  binding.core_ = core;
+  binding.pipelines_ = pipelines;
+  binding.table_ = table;
+  if (const auto resolved = binding.resolve(targets); !resolved) return tl::unexpected(resolved.error());
+  if (const auto made = binding.makeScratch(); !made) return tl::unexpected(made.error());
+  if (const auto made = binding.makeSets(); !made) return tl::unexpected(made.error());
+  return binding;
+}
+
+namespace {
+
+Result<void> checkRange(const VulkanRange& range, std::uint64_t needed, std::uint64_t alignment, const char* what) {
+  if (range.buffer == VK_NULL_HANDLE) {
+    return fail(ErrorCode::invalidOption, fmt::format("the table needs a buffer for {}, none is given", what));
+  }
+  if (range.size < needed) {
+    return fail(ErrorCode::invalidOption, fmt::format("the buffer for {} has {} bytes, the table needs {}: make it larger or "
+                                                      "check the descriptor",
+                                                      what, range.size, needed));
+  }
+  if (range.offset % alignment != 0) {
+    return fail(ErrorCode::invalidOption, fmt::format("the buffer for {} begins at byte {}, which is no multiple of {}", what,
+                                                      range.offset, alignment));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> VulkanBinding::resolve(const VulkanTargets& targets) {
+  const std::array<std::pair<VulkanRange, const char*>, kCallerBuffers> buffers = {
+      {{targets.control, "the control points"},
+       {targets.refined, "the refined points"},
+       {targets.vertexPositions, "the vertices' limit positions"},
+       {targets.vertexNormals, "the vertices' normals"},
+       {targets.facePositions, "the faces' limit positions"},
+       {targets.faceNormals, "the faces' normals"}}};
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    const std::uint64_t needed = table_.bytesOf(static_cast<PointBuffer>(i));
+    if (needed == 0) continue;
+    const auto sound = checkRange(buffers[i].first, needed, core_->limits.alignment, buffers[i].second);
+    if (!sound) return sound;
+    ranges_[i] = buffers[i].first;
+  }
+  return {};
+}
+
+Result<void> VulkanBinding::makeScratch() {
+  for (std::size_t i = 0; i < kScratchBuffers; ++i) {
+    const std::uint64_t needed = table_.bytesOf(static_cast<PointBuffer>(kCallerBuffers + i));
+    if (needed == 0) continue;
+    auto buffer = VulkanBuffer::create(core_, needed, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, MemoryUse::device);
+    if (!buffer) return tl::unexpected(buffer.error());
+    scratch_[i] = std::move(*buffer);
+    ranges_[kCallerBuffers + i] = scratch_[i].range();
+  }
+  return {};
+}
+
+// Dispatches that bind the same ranges share a set: as a rule there is one for each level.
+Result<void> VulkanBinding::makeSets() {
+  using Key = std::pair<std::uint32_t, BoundRanges>;
+  std::map<Key, std::uint32_t> places;
+  for (const auto& phase : table_.state_->phases) {
+    for (const TableDispatch& one : phase) {
+      places.emplace(Key{one.stage, one.dispatch.ranges}, static_cast<std::uint32_t>(places.size()));
+    }
+  }
+  if (const auto made = makePool(static_cast<std::uint32_t>(places.size())); !made) return made;
+  const auto sets = allocateSets(static_cast<std::uint32_t>(places.size()));
+  if (!sets) return tl::unexpected(sets.error());
+  for (const auto& [key, place] : places) writeSet((*sets)[place], table_.state_->stages[key.first], key.second);
+  for (const auto& phase : table_.state_->phases) {
+    std::vector<Command>& commands = phases_.emplace_back();
+    for (const TableDispatch& one : phase) {
+      const std::uint32_t place = places.at(Key{one.stage, one.dispatch.ranges});
+      commands.push_back({one.pipeline, (*sets)[place], one.dispatch.push, one.dispatch.groups, one.dispatch.groupRows});
+    }
+  }
+  return {};
+}
+
+Result<void> VulkanBinding::makePool(std::uint32_t sets) {
+  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, std::max(1U, sets) * (kSourcePages + kSlotCount)};
+  VkDescriptorPoolCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+  info.maxSets = std::max(1U, sets);
+  info.poolSizeCount = 1;
+  info.pPoolSizes = &size;
+  VkDescriptorPool pool = VK_NULL_HANDLE;
+  const VkResult result = core_->vk().vkCreateDescriptorPool(core_->device.device, &info, nullptr, &pool);
+  if (result != VK_SUCCESS) return vulkanFailure(result, "create a descriptor pool");
+  pool_ = {core_->device.device, pool, core_->vk().vkDestroyDescriptorPool};
+  return {};
+}
+
+Result<std::vector<VkDescriptorSet>> VulkanBinding::allocateSets(std::uint32_t count) const {
+  std::vector<VkDescriptorSet> sets(count);
+  if (count == 0) return sets;
+  const std::vector<VkDescriptorSetLayout> layouts(count, pipelines_->setLayout());
+  VkDescriptorSetAllocateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+  info.descriptorPool = pool_.get();
+  info.descriptorSetCount = count;
+  info.pSetLayouts = layouts.data();
+  const VkResult result = core_->vk().vkAllocateDescriptorSets(core_->device.device, &info, sets.data());
+  if (result != VK_SUCCESS) return vulkanFailure(result, "allocate descriptor sets");
+  return sets;
+}
+
+// What a kernel doesn't use is bound to the begin of its table: every descriptor of a set is valid.
+VkDescriptorBufferInfo VulkanBinding::bufferOf(const TableStage& stage, const BoundRange& range) const {
+  if (range.size == 0) return {stage.buffer.handle(), 0, std::min(stage.buffer.size(), core_->limits.pageBytes)};
+  if (range.role == Role::table) return {stage.buffer.handle(), range.offset, range.size};
+  PointBuffer points = PointBuffer::partials;
+  if (range.role == Role::target) points = stage.target;
+  if (range.role == Role::normals) points = stage.normals;
+  const VulkanRange& buffer = ranges_[static_cast<std::size_t>(points)];
+  return {buffer.buffer, buffer.offset + range.offset, range.size};
+}
+
+VkDescriptorBufferInfo VulkanBinding::sourcePage(const TableStage& stage, std::uint32_t page) const {
+  const VulkanRange& buffer = ranges_[static_cast<std::size_t>(stage.source)];
+  const std::uint64_t begin = page * core_->limits.pageBytes;
+  if (begin >= stage.sourceBytes) return sourcePage(stage, 0);
+  return {buffer.buffer, buffer.offset + begin, std::min(core_->limits.pageBytes, stage.sourceBytes - begin)};
+}
+
+void VulkanBinding::writeSet(VkDescriptorSet set, const TableStage& stage, const BoundRanges& ranges) const {
+  std::array<VkDescriptorBufferInfo, kSourcePages + kSlotCount> buffers{};
+  for (std::uint32_t page = 0; page < kSourcePages; ++page) buffers[page] = sourcePage(stage, page);
+  for (std::uint32_t slot = 0; slot < kSlotCount; ++slot) buffers[kSourcePages + slot] = bufferOf(stage, ranges[slot]);
+  std::array<VkWriteDescriptorSet, 1 + kSlotCount> writes{};
+  for (std::uint32_t i = 0; i < writes.size(); ++i) {
+    writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    writes[i].dstSet = set;
+    writes[i].dstBinding = i;
+    writes[i].descriptorCount = i == 0 ? kSourcePages : 1;
+    writes[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    writes[i].pBufferInfo = &buffers[i == 0 ? 0 : kSourcePages + i - 1];
+  }
+  core_->vk().vkUpdateDescriptorSets(core_->device.device, static_cast<std::uint32_t>(writes.size()), writes.data(), 0,
+                                     nullptr);
+}
+
+// Makes what a phase wrote visible to the next, which may also overwrite what it read.
+void VulkanBinding::barrier(VkCommandBuffer commands) const {
+  VkMemoryBarrier memory{};
+  memory.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+  memory.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+  memory.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
+  core_->vk().vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 1,
+                                   &memory, 0, nullptr, 0, nullptr);
+}
+
+void VulkanBinding::record(VkCommandBuffer commands) const {
+  const VolkDeviceTable& vk = core_->vk();
+  // The scratch may still be in use by the same binding, recorded before.
+  barrier(commands);
+  bool first = true;
+  for (const auto& phase : phases_) {
+    if (!first && !core_->options.leaveOutBarriers) barrier(commands);
+    first = false;
+    for (const Command& one : phase) {
+      vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, one.pipeline);
+      vk.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_->layout(), 0, 1, &one.set, 0, nullptr);
+      vk.vkCmdPushConstants(commands, pipelines_->layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(one.push), &one.push);
+      vk.vkCmdDispatch(commands, one.groups, one.groupRows, 1);
+    }
+  }
+}
+
+std::uint64_t VulkanBinding::scratchBytes() const {
+  std::uint64_t bytes = 0;
+  for (const VulkanBuffer& buffer : scratch_) bytes += buffer.size();
+  return bytes;
+}
+
+}  // namespace honeycomb::Osd

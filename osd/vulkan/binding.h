@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "osd/vulkan/table.h"
+
+namespace honeycomb::Osd {
+
+/// The caller's buffers for one table. Each needs VK_BUFFER_USAGE_STORAGE_BUFFER_BIT and as many bytes as
+/// VulkanTable::bytesOf says; those it doesn't touch may be left out. No two may overlap.
+struct VulkanTargets {
+  VulkanRange control{};
+  VulkanRange refined{};
+  VulkanRange vertexPositions{}, vertexNormals{};
+  VulkanRange facePositions{}, faceNormals{};
+};
+
+/// A table bound to buffers: its descriptor sets and scratch memory, so that recording allocates nothing. May be recorded
+/// any number of times, in command buffers that run one after the other; for frames in flight make one for each.
+/// Must outlive the execution of what was recorded with it.
+class VulkanBinding {
+ public:
+  /// Errors: invalidOption for a missing, misaligned or short buffer; outOfMemory.
+  static Result<VulkanBinding> create(const std::shared_ptr<const VulkanCore>& core,
+                                      const std::shared_ptr<VulkanPipelines>& pipelines, const VulkanTable& table,
+                                      const VulkanTargets& targets);
+
+  void record(VkCommandBuffer commands) const;
+  /// Bytes of device memory for levels in between.
+  std::uint64_t scratchBytes() const;
+
+ private:
+  struct Command {
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    PushConstants push;
+    std::uint32_t groups = 1, groupRows = 1;
+  };
+
+  Result<void> resolve(const VulkanTargets& targets);
+  Result<void> makeScratch();
+  Result<void> makeSets();
+  Result<void> makePool(std::uint32_t sets);
+  Result<std::vector<VkDescriptorSet>> allocateSets(std::uint32_t count) const;
+  void writeSet(VkDescriptorSet set, const TableStage& stage, const BoundRanges& ranges) const;
+  VkDescriptorBufferInfo bufferOf(const TableStage& stage, const BoundRange& range) const;
+  VkDescriptorBufferInfo sourcePage(const TableStage& stage, std::uint32_t page) const;
+  void barrier(VkCommandBuffer commands) const;
+
+  std::shared_ptr<const VulkanCore> core_;
+  std::shared_ptr<VulkanPipelines> pipelines_;
+  VulkanTable table_;
+  std::array<VulkanBuffer, kScratchBuffers> scratch_;
+  std::array<VulkanRange, kCallerBuffers + kScratchBuffers> ranges_{};
+  DeviceHandle<VkDescriptorPool> pool_;
+  std::vector<std::vector<Command>> phases_;
+};
+
+}  // namespace honeycomb::Osd

@@ -1,0 +1,98 @@
+#include "osd/vulkan/commands.h"
+
+#include <cstdint>
+#include <utility>
+
+#include "osd/vulkan/errors.h"
+
+namespace honeycomb::Osd {
+
+Result<CommandRunner> CommandRunner::create(const std::shared_ptr<const VulkanCore>& core) {
+  const VkDevice device = core->device.device;
+  CommandRunner runner;
+  runner.core_ = core;
+  VkCommandPoolCreateInfo poolInfo{};
+  poolInfo.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+  poolInfo.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
+  poolInfo.queueFamilyIndex = core->device.queueFamily;
+  VkCommandPool pool = VK_NULL_HANDLE;
+  VkResult result = core->vk().vkCreateCommandPool(device, &poolInfo, nullptr, &pool);
+  if (result != VK_SUCCESS) return vulkanFailure(result, "create a command pool");
+  runner.pool_ = {device, pool, core->vk().vkDestroyCommandPool};
+
+  VkCommandBufferAllocateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+  info.commandPool = pool;
+  info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+  info.commandBufferCount = 1;
+  result = core->vk().vkAllocateCommandBuffers(device, &info, &runner.commands_);
+  if (result != VK_SUCCESS) return vulkanFailure(result, "allocate a command buffer");
+
+  VkFenceCreateInfo fenceInfo{};
+  fenceInfo.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
+  VkFence fence = VK_NULL_HANDLE;
+  result = core->vk().vkCreateFence(device, &fenceInfo, nullptr, &fence);
+  if (result != VK_SUCCESS) return vulkanFailure(result, "create a fence");
+  runner.fence_ = {device, fence, core->vk().vkDestroyFence};
+  return runner;
+}
+
+CommandRunner::CommandRunner(CommandRunner&& other) noexcept
+    : core_(std::move(other.core_)),
+      pool_(std::move(other.pool_)),
+      fence_(std::move(other.fence_)),
+      commands_(std::exchange(other.commands_, VK_NULL_HANDLE)),
+      running_(std::exchange(other.running_, false)) {}
+
+CommandRunner& CommandRunner::operator=(CommandRunner&& other) noexcept {
+  std::swap(core_, other.core_);
+  std::swap(pool_, other.pool_);
+  std::swap(fence_, other.fence_);
+  std::swap(commands_, other.commands_);
+  std::swap(running_, other.running_);
+  return *this;
+}
+
+CommandRunner::~CommandRunner() {
+  // A lost device runs nothing any more: there is nothing to be done about a failure here.
+  if (core_) static_cast<void>(wait());
+}
+
+Result<void> CommandRunner::begin(VkCommandBufferUsageFlags usage) {
+  VkCommandBufferBeginInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+  info.flags = usage;
+  const VkResult result = core_->vk().vkBeginCommandBuffer(commands_, &info);
+  if (result != VK_SUCCESS) return vulkanFailure(result, "begin a command buffer");
+  return {};
+}
+
+Result<void> CommandRunner::end() {
+  const VkResult result = core_->vk().vkEndCommandBuffer(commands_);
+  if (result != VK_SUCCESS) return vulkanFailure(result, "record a command buffer");
+  return {};
+}
+
+Result<void> CommandRunner::submit() {
+  VkSubmitInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
+  info.commandBufferCount = 1;
+  info.pCommandBuffers = &commands_;
+  const VkResult result = core_->vk().vkQueueSubmit(core_->device.queue, 1, &info, fence_.get());
+  if (result != VK_SUCCESS) return vulkanFailure(result, "submit commands");
+  running_ = true;
+  return {};
+}
+
+Result<void> CommandRunner::wait() {
+  if (!running_) return {};
+  running_ = false;
+  const VkDevice device = core_->device.device;
+  const VkFence fence = fence_.get();
+  VkResult result = core_->vk().vkWaitForFences(device, 1, &fence, VK_TRUE, UINT64_MAX);
+  if (result == VK_SUCCESS) result = core_->vk().vkResetFences(device, 1, &fence);
+  if (result != VK_SUCCESS) return vulkanFailure(result, "finish the submitted commands");
+  return {};
+}
+
+}  // namespace honeycomb::Osd

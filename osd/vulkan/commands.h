@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+
+#include "far/base/result.h"
+#include "osd/vulkan/core.h"
+#include "osd/vulkan/handles.h"
+
+namespace honeycomb::Osd {
+
+/// One command buffer with a pool and a fence of its own: recorded once or anew, submitted as often as wanted.
+/// Waits for what is still running when it is destroyed.
+class CommandRunner {
+ public:
+  static Result<CommandRunner> create(const std::shared_ptr<const VulkanCore>& core);
+  CommandRunner() = default;
+  ~CommandRunner();
+  CommandRunner(CommandRunner&& other) noexcept;
+  CommandRunner& operator=(CommandRunner&& other) noexcept;
+
+  VkCommandBuffer commandBuffer() const { return commands_; }
+  Result<void> begin(VkCommandBufferUsageFlags usage);
+  Result<void> end();
+  /// To the core's queue, which nobody else may use meanwhile. Needs the submission before to have been waited for.
+  Result<void> submit();
+  /// Returns when the submission has run; at once when none is running.
+  Result<void> wait();
+
+ private:
+  std::shared_ptr<const VulkanCore> core_;
+  DeviceHandle<VkCommandPool> pool_;
+  DeviceHandle<VkFence> fence_;
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  bool running_ = false;
+};
+
+}  // namespace honeycomb::Osd

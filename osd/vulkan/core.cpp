@@ -1,0 +1,72 @@
+#include "osd/vulkan/core.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace honeycomb::Osd {
+
+namespace {
+
+Result<VulkanLimits> limitsOf(const VkPhysicalDeviceLimits& device, const VulkanEvaluatorOptions& options) {
+  std::uint64_t range = device.maxStorageBufferRange;
+  if (options.maxStorageBufferRange != 0) range = std::min(range, options.maxStorageBufferRange);
+  VulkanLimits limits;
+  limits.pageBytes = std::bit_floor(range);
+  // Also a multiple of the records in the tables, so that ranges begin at whole records.
+  constexpr std::uint64_t kRecordBytes = 32;
+  limits.alignment = std::max<std::uint64_t>(device.minStorageBufferOffsetAlignment, kRecordBytes);
+  limits.groupsInRow = device.maxComputeWorkGroupCount[0];
+  if (options.maxWorkgroupsInRow != 0) limits.groupsInRow = std::min(limits.groupsInRow, options.maxWorkgroupsInRow);
+  limits.groupRows = device.maxComputeWorkGroupCount[1];
+  if (limits.pageBytes < 4 * limits.alignment) {
+    return fail(ErrorCode::invalidOption,
+                fmt::format("a storage buffer range of {} bytes is too small: {} is the least for this device's alignment",
+                            range, 4 * limits.alignment));
+  }
+  return limits;
+}
+
+// Bindings of one kernel: the pages of its source and six buffers.
+constexpr std::uint32_t kStorageBuffers = kSourcePages + 6;
+
+Result<void> checkDevice(const VkPhysicalDeviceProperties& properties) {
+  if (properties.apiVersion < VK_API_VERSION_1_2) {
+    return fail(ErrorCode::unsupported, fmt::format("the Vulkan device '{}' is older than version 1.2: update its driver, "
+                                                    "choose another device or use a CPU backend",
+                                                    properties.deviceName));
+  }
+  const VkPhysicalDeviceLimits& limits = properties.limits;
+  const std::uint32_t buffers =
+      std::min(limits.maxPerStageDescriptorStorageBuffers, limits.maxDescriptorSetStorageBuffers);
+  if (buffers < kStorageBuffers || limits.maxComputeWorkGroupInvocations < kWorkgroupSize) {
+    return fail(ErrorCode::unsupported,
+                fmt::format("the Vulkan device '{}' binds {} storage buffers and runs {} invocations a workgroup, {} and {} are "
+                            "needed: choose another device or use a CPU backend",
+                            properties.deviceName, buffers, limits.maxComputeWorkGroupInvocations, kStorageBuffers,
+                            kWorkgroupSize));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<VulkanCore> VulkanCore::create(const VulkanDevice& device, const VulkanEvaluatorOptions& options) {
+  if (device.physicalDevice == VK_NULL_HANDLE || device.queue == VK_NULL_HANDLE) {
+    return fail(ErrorCode::invalidOption, "a VulkanDevice needs a physical device and a queue");
+  }
+  auto functions = VulkanFunctions::load(device.instance, device.device);
+  if (!functions) return tl::unexpected(functions.error());
+  VkPhysicalDeviceProperties2 properties{};
+  properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+  functions->getPhysicalDeviceProperties2(device.physicalDevice, &properties);
+  if (const auto sound = checkDevice(properties.properties); !sound) return tl::unexpected(sound.error());
+  const auto limits = limitsOf(properties.properties.limits, options);
+  if (!limits) return tl::unexpected(limits.error());
+  VulkanCore core{device, *functions, options, *limits, properties.properties.deviceType, {}};
+  core.functions.getPhysicalDeviceMemoryProperties(device.physicalDevice, &core.memory);
+  return core;
+}
+
+}  // namespace honeycomb::Osd

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+
+#include "osd/vulkan/device.h"
+#include "osd/vulkan/functions.h"
+
+namespace honeycomb::Osd {
+
+/// How an evaluator uses its device. The defaults are for production; tests lower and break things.
+struct VulkanEvaluatorOptions {
+  /// Bytes of a storage buffer that may be bound at once, lowered to the device's maxStorageBufferRange; a page is the
+  /// largest power of two within. 0: all that the device allows.
+  std::uint64_t maxStorageBufferRange = 0;
+  /// Workgroups in a row of a dispatch, lowered to maxComputeWorkGroupCount[0]. 0: all that the device allows.
+  std::uint32_t maxWorkgroupsInRow = 0;
+  /// Treat no memory as shared between host and device, as on a discrete GPU: everything goes through staging.
+  bool stageEverything = false;
+  /// Leave out the barriers between levels: results are wrong, and synchronization validation must say so.
+  bool leaveOutBarriers = false;
+};
+
+/// What the limits of a device mean for pages and dispatches.
+struct VulkanLimits {
+  std::uint64_t pageBytes = 0;      ///< a power of two; storage buffers are bound in ranges of at most this
+  std::uint64_t alignment = 0;      ///< of the offset of a bound range
+  std::uint32_t groupsInRow = 0;    ///< workgroups in x
+  std::uint32_t groupRows = 0;      ///< workgroups in y
+  std::uint64_t pageNumbers() const { return pageBytes / sizeof(float); }
+};
+
+/// Pages of a source that can be bound at once. shaders/source.glsl has the same number.
+constexpr std::uint32_t kSourcePages = 8;
+
+/// Invocations in a workgroup of every kernel: workgroups from 64 up measure alike on lavapipe.
+constexpr std::uint32_t kWorkgroupSize = 64;
+
+/// What everything an evaluator makes refers to: the device, its functions, its limits.
+struct VulkanCore {
+  VulkanDevice device;
+  VulkanFunctions functions;
+  VulkanEvaluatorOptions options;
+  VulkanLimits limits;
+  VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
+  VkPhysicalDeviceMemoryProperties memory{};
+
+  const VolkDeviceTable& vk() const { return functions.device; }
+
+  /// Errors: invalidOption for null handles and unusable limits, noDevice without a loader, unsupported below Vulkan 1.2.
+  static Result<VulkanCore> create(const VulkanDevice& device, const VulkanEvaluatorOptions& options);
+};
+
+}  // namespace honeycomb::Osd

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <volk.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "far/base/result.h"
+#include "osd/vulkan/device_info.h"
+
+namespace honeycomb::Osd {
+
+/// What the validation layer said. Threads may add and read at once.
+class ValidationLog {
+ public:
+  void add(std::string message) {
+    const std::lock_guard lock(mutex_);
+    messages_.push_back(std::move(message));
+  }
+  std::vector<std::string> messages() const {
+    const std::lock_guard lock(mutex_);
+    return messages_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<std::string> messages_;
+};
+
+/// A Vulkan instance and, when asked, its validation messenger. Stays where it was made: drivers point to it.
+class VulkanInstance {
+ public:
+  /// With a log: validation and synchronization validation, messages into the log; `unsupported` without the layer.
+  static Result<std::unique_ptr<VulkanInstance>> create(std::shared_ptr<ValidationLog> log,
+                                                        const std::vector<const char*>& extensions);
+  ~VulkanInstance();
+  VulkanInstance(const VulkanInstance&) = delete;
+  VulkanInstance& operator=(const VulkanInstance&) = delete;
+
+  VkInstance handle() const { return instance_; }
+
+  /// A function of this instance by its prototype's name; null when the instance lacks it.
+  template <class Function>
+  Function function(const char* name) const {
+    return reinterpret_cast<Function>(getProc_(instance_, name));
+  }
+
+  Result<std::vector<VkPhysicalDevice>> physicalDevices() const;
+  DeviceInfo describe(VkPhysicalDevice device) const;
+
+ private:
+  VulkanInstance(PFN_vkGetInstanceProcAddr getProc, std::shared_ptr<ValidationLog> log)
+      : getProc_(getProc), log_(std::move(log)) {}
+  VkResult makeInstance(const std::vector<const char*>& extensions);
+  VkResult makeMessenger();
+
+  PFN_vkGetInstanceProcAddr getProc_;
+  std::shared_ptr<ValidationLog> log_;
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+};
+
+}  // namespace honeycomb::Osd

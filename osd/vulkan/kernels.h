@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+
+namespace honeycomb::Osd {
+
+/// The kernels, one file each in shaders/.
+enum class Kernel : std::uint32_t { circulant, projectedBlocks, projectedSums, projected, loose, limits };
+constexpr std::uint32_t kKernelCount = 6;
+
+/// The specialisation constants of shaders/evaluate.glsl, by constant_id.
+struct Specialization {
+  std::uint32_t workgroupSize = 64;
+  std::uint32_t length = 3;
+  std::uint32_t sourceStride = 3;
+  std::uint32_t targetStride = 3;
+  std::uint32_t normalStride = 3;
+  std::uint32_t sides = 6;
+  std::uint32_t pageShift = 0;
+  std::uint32_t windowed = 0;
+  auto operator<=>(const Specialization&) const = default;
+};
+constexpr std::uint32_t kSpecializationCount = 8;
+static_assert(sizeof(Specialization) == kSpecializationCount * sizeof(std::uint32_t));
+
+/// Up to this many sides the loops of a kernel are unrolled and a circulant's weights are push constants. Unrolling grows
+/// with the square of the sides: at 64 lavapipe compiles for a minute.
+constexpr std::int32_t kUnrolledSides = 16;
+
+/// The push constants of shaders/evaluate.glsl, which says what they are.
+struct PushConstants {
+  std::uint32_t count = 0;
+  std::uint32_t rowLength = 0;
+  std::uint32_t sides = 0;
+  std::uint32_t firstIndex = 0;
+  std::uint32_t firstWeight = 0;
+  std::uint32_t firstRecord = 0;
+  std::uint32_t firstTask = 0;
+  std::uint32_t firstOutput = 0;
+  std::uint32_t sourceOffset = 0;
+  std::uint32_t targetOffset = 0;
+  std::uint32_t windowBegin = 0;
+  std::uint32_t windowSize = 0;
+  std::uint32_t normalOffset = 0;
+  std::uint32_t normalBegin = 0;
+  std::uint32_t normalSize = 0;
+  std::array<float, kUnrolledSides> weights{};
+};
+static_assert(sizeof(PushConstants) <= 128, "no more push constants are sure to be there");
+
+/// The bindings of the kernels beside the source's pages (binding 0), in order from binding 1.
+enum class Slot : std::uint32_t { indices, weights, target, second, records, tasks };
+constexpr std::uint32_t kSlotCount = 6;
+
+/// The buffers a stage touches; a table's plan names them, a binding says which they are.
+enum class Role : std::uint32_t { table, target, normals, partials };
+
+/// A range of a buffer, bytes; size 0: nothing.
+struct BoundRange {
+  Role role = Role::table;
+  std::uint64_t offset = 0;
+  std::uint64_t size = 0;
+  auto operator<=>(const BoundRange&) const = default;
+};
+using BoundRanges = std::array<BoundRange, kSlotCount>;
+
+/// One dispatch: everything but the buffers themselves.
+struct Dispatch {
+  Kernel kernel = Kernel::circulant;
+  Specialization specialization;
+  PushConstants push;
+  BoundRanges ranges;
+  std::uint32_t groups = 1;     ///< in a row
+  std::uint32_t groupRows = 1;
+};
+
+}  // namespace honeycomb::Osd

@@ -1,0 +1,115 @@
+#include "osd/vulkan/pipelines.h"
+
+#include "osd/vulkan/errors.h"
+
+namespace honeycomb::Osd {
+
+namespace {
+#include "shaders/circulant.comp.h"
+#include "shaders/limits.comp.h"
+#include "shaders/loose.comp.h"
+#include "shaders/projected.comp.h"
+#include "shaders/projected_blocks.comp.h"
+#include "shaders/projected_sums.comp.h"
+}  // namespace
+
+std::span<const std::uint32_t> kernelCode(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::circulant: return kCirculantComp;
+    case Kernel::projectedBlocks: return kProjectedBlocksComp;
+    case Kernel::projectedSums: return kProjectedSumsComp;
+    case Kernel::projected: return kProjectedComp;
+    case Kernel::loose: return kLooseComp;
+    default: return kLimitsComp;
+  }
+}
+
+Result<std::unique_ptr<VulkanPipelines>> VulkanPipelines::create(std::shared_ptr<const VulkanCore> core) {
+  std::unique_ptr<VulkanPipelines> pipelines(new VulkanPipelines(std::move(core)));
+  if (const auto made = pipelines->makeSetLayout(); !made) return tl::unexpected(made.error());
+  if (const auto made = pipelines->makeLayout(); !made) return tl::unexpected(made.error());
+  if (const auto made = pipelines->makeModules(); !made) return tl::unexpected(made.error());
+  return pipelines;
+}
+
+Result<void> VulkanPipelines::makeSetLayout() {
+  std::array<VkDescriptorSetLayoutBinding, 1 + kSlotCount> bindings{};
+  for (std::uint32_t i = 0; i < bindings.size(); ++i) {
+    bindings[i].binding = i;
+    bindings[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    bindings[i].descriptorCount = i == 0 ? kSourcePages : 1;
+    bindings[i].stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
+  }
+  VkDescriptorSetLayoutCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+  info.bindingCount = static_cast<std::uint32_t>(bindings.size());
+  info.pBindings = bindings.data();
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  const VkResult result = core_->vk().vkCreateDescriptorSetLayout(core_->device.device, &info, nullptr, &layout);
+  if (result != VK_SUCCESS) return vulkanFailure(result, "create a descriptor set layout");
+  setLayout_ = {core_->device.device, layout, core_->vk().vkDestroyDescriptorSetLayout};
+  return {};
+}
+
+Result<void> VulkanPipelines::makeLayout() {
+  const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(PushConstants)};
+  const VkDescriptorSetLayout set = setLayout_.get();
+  VkPipelineLayoutCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+  info.setLayoutCount = 1;
+  info.pSetLayouts = &set;
+  info.pushConstantRangeCount = 1;
+  info.pPushConstantRanges = &push;
+  VkPipelineLayout layout = VK_NULL_HANDLE;
+  const VkResult result = core_->vk().vkCreatePipelineLayout(core_->device.device, &info, nullptr, &layout);
+  if (result != VK_SUCCESS) return vulkanFailure(result, "create a pipeline layout");
+  layout_ = {core_->device.device, layout, core_->vk().vkDestroyPipelineLayout};
+  return {};
+}
+
+Result<void> VulkanPipelines::makeModules() {
+  for (std::uint32_t k = 0; k < kKernelCount; ++k) {
+    const auto code = kernelCode(static_cast<Kernel>(k));
+    VkShaderModuleCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+    info.codeSize = code.size_bytes();
+    info.pCode = code.data();
+    VkShaderModule shader = VK_NULL_HANDLE;
+    const VkResult result = core_->vk().vkCreateShaderModule(core_->device.device, &info, nullptr, &shader);
+    if (result != VK_SUCCESS) return vulkanFailure(result, "create a shader module");
+    modules_[k] = {core_->device.device, shader, core_->vk().vkDestroyShaderModule};
+  }
+  return {};
+}
+
+Result<VkPipeline> VulkanPipelines::get(Kernel kernel, const Specialization& specialization) {
+  const std::lock_guard lock(mutex_);
+  const std::pair key{kernel, specialization};
+  if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second.get();
+  auto pipeline = make(kernel, specialization);
+  if (!pipeline) return tl::unexpected(pipeline.error());
+  return pipelines_.emplace(key, std::move(*pipeline)).first->second.get();
+}
+
+Result<DeviceHandle<VkPipeline>> VulkanPipelines::make(Kernel kernel, const Specialization& specialization) const {
+  std::array<VkSpecializationMapEntry, kSpecializationCount> entries{};
+  for (std::uint32_t i = 0; i < kSpecializationCount; ++i) {
+    entries[i] = {i, static_cast<std::uint32_t>(i * sizeof(std::uint32_t)), sizeof(std::uint32_t)};
+  }
+  const VkSpecializationInfo constants{kSpecializationCount, entries.data(), sizeof(specialization), &specialization};
+  VkComputePipelineCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+  info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+  info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+  info.stage.module = modules_[static_cast<std::size_t>(kernel)].get();
+  info.stage.pName = "main";
+  info.stage.pSpecializationInfo = &constants;
+  info.layout = layout_.get();
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  const VkDevice device = core_->device.device;
+  const VkResult result = core_->vk().vkCreateComputePipelines(device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
+  if (result != VK_SUCCESS) return vulkanFailure(result, "create a compute pipeline");
+  return DeviceHandle<VkPipeline>(device, pipeline, core_->vk().vkDestroyPipeline);
+}
+
+}  // namespace honeycomb::Osd

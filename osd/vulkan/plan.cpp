@@ -1,0 +1,182 @@
+#include "osd/vulkan/plan.h"
+
+#include <algorithm>
+
+#include "osd/vulkan/projected_plan.h"
+
+namespace honeycomb::Osd {
+
+namespace {
+
+using Far::CirculantBatch;
+using Far::LevelTable;
+
+// The arrays of a level in the table's buffer.
+struct LevelSections {
+  Section indices, weights, outputs, offsets;
+};
+
+struct FaceRange {
+  std::int64_t begin = 0, end = 0;
+};
+
+// The faces of `range` that have values in the window. Face g covers the numbers origin + g*step .. + length - 1.
+FaceRange facesIn(const Window& window, const PointLayout& target, const CirculantBatch& batch, FaceRange range) {
+  const auto origin = static_cast<std::int64_t>(StagePlanner::number(target, batch.firstOutput));
+  const std::int64_t step = std::int64_t{batch.sides} * target.desc.stride;
+  const std::int64_t length = std::int64_t{batch.sides - 1} * target.desc.stride + target.desc.length;
+  const std::int64_t begin = static_cast<std::int64_t>(window.begin) - origin - length;
+  const std::int64_t end = static_cast<std::int64_t>(window.begin + window.size) - origin;
+  const std::int64_t first = begin < 0 ? 0 : begin / step + 1;
+  const std::int64_t past = end <= 0 ? 0 : (end + step - 1) / step;
+  return {std::max(range.begin, first), std::min(range.end, past)};
+}
+
+class LevelPlanner {
+ public:
+  LevelPlanner(const StagePlanner& stage, const LevelTable& table, const LevelSections& sections)
+      : stage_(stage), table_(table), sections_(sections) {}
+
+  Result<std::vector<Dispatch>> plan();
+
+ private:
+  Result<void> planCirculant(const CirculantBatch& batch);
+  Result<void> planFaces(const CirculantBatch& batch, FaceRange range);
+  Result<void> planLoose();
+  Result<void> planRows(std::int64_t begin, std::int64_t end);
+  std::int64_t endOfRows(std::int64_t begin) const;
+
+  const StagePlanner& stage_;
+  const LevelTable& table_;
+  LevelSections sections_;
+  std::vector<Dispatch> dispatches_;
+};
+
+Result<std::vector<Dispatch>> LevelPlanner::plan() {
+  for (const CirculantBatch& batch : table_.circulants) {
+    if (const auto planned = planCirculant(batch); !planned) return tl::unexpected(planned.error());
+  }
+  if (const auto planned = planLoose(); !planned) return tl::unexpected(planned.error());
+  return std::move(dispatches_);
+}
+
+Result<void> LevelPlanner::planCirculant(const CirculantBatch& batch) {
+  const std::int64_t faces = std::max<std::int64_t>(1, stage_.sliceCapacity(sections_.indices) / batch.sides);
+  for (std::int64_t begin = 0; begin < batch.faceCount; begin += faces) {
+    const FaceRange range{begin, std::min<std::int64_t>(begin + faces, batch.faceCount)};
+    if (const auto planned = planFaces(batch, range); !planned) return planned;
+  }
+  return {};
+}
+
+Result<void> LevelPlanner::planFaces(const CirculantBatch& batch, FaceRange range) {
+  const std::int64_t sides = batch.sides;
+  const auto indices =
+      stage_.slice(sections_.indices, batch.firstIndex + range.begin * sides, (range.end - range.begin) * sides);
+  if (!indices) return tl::unexpected(indices.error());
+  const auto weights = stage_.slice(sections_.weights, batch.firstForm, sides);
+  if (!weights) return tl::unexpected(weights.error());
+  const auto windows = stage_.windows(stage_.target(), batch.firstOutput + range.begin * sides,
+                                      batch.firstOutput + range.end * sides - 1);
+  for (const Window& window : windows) {
+    const FaceRange faces = windows.size() == 1 ? range : facesIn(window, stage_.target(), batch, range);
+    if (faces.begin >= faces.end) continue;
+    Dispatch dispatch = stage_.dispatch(Kernel::circulant);
+    dispatch.specialization.sides = static_cast<std::uint32_t>(sides);
+    dispatch.push.count = static_cast<std::uint32_t>(faces.end - faces.begin);
+    dispatch.push.firstIndex = indices->first + static_cast<std::uint32_t>((faces.begin - range.begin) * sides);
+    dispatch.push.firstWeight = weights->first;
+    dispatch.push.sides = static_cast<std::uint32_t>(sides);
+    if (sides <= kUnrolledSides) std::copy_n(table_.weightsSingle.begin() + batch.firstForm, sides, dispatch.push.weights.begin());
+    dispatch.push.firstOutput = static_cast<std::uint32_t>(batch.firstOutput + faces.begin * sides);
+    rangeOf(dispatch, Slot::indices) = indices->range;
+    rangeOf(dispatch, Slot::weights) = weights->range;
+    stage_.bindTarget(dispatch, window);
+    if (const auto shaped = stage_.shape(dispatch, dispatch.push.count); !shaped) return shaped;
+    dispatches_.push_back(dispatch);
+  }
+  return {};
+}
+
+// As many rows as slices hold: of their entries, and of the rows themselves with the offset behind the last.
+std::int64_t LevelPlanner::endOfRows(std::int64_t begin) const {
+  const auto& offsets = table_.loose.offsets;
+  const std::int64_t entries =
+      std::min(stage_.sliceCapacity(sections_.indices), stage_.sliceCapacity(sections_.weights));
+  const std::int64_t rows =
+      std::min(stage_.sliceCapacity(sections_.outputs), stage_.sliceCapacity(sections_.offsets) - 1);
+  const std::int64_t limit = std::min<std::int64_t>(table_.loose.rowCount(), begin + std::max<std::int64_t>(rows, 1));
+  const std::int64_t firstEntry = offsets[static_cast<std::size_t>(begin)];
+  std::int64_t end = begin + 1;
+  while (end < limit && offsets[static_cast<std::size_t>(end) + 1] - firstEntry <= entries) ++end;
+  return end;
+}
+
+Result<void> LevelPlanner::planLoose() {
+  for (std::int64_t begin = 0; begin < table_.loose.rowCount();) {
+    const std::int64_t end = endOfRows(begin);
+    if (const auto planned = planRows(begin, end); !planned) return planned;
+    begin = end;
+  }
+  return {};
+}
+
+Result<void> LevelPlanner::planRows(std::int64_t begin, std::int64_t end) {
+  const Far::LooseRows& loose = table_.loose;
+  const std::int64_t firstEntry = loose.offsets[static_cast<std::size_t>(begin)];
+  const std::int64_t entries = loose.offsets[static_cast<std::size_t>(end)] - firstEntry;
+  const auto indices = stage_.slice(sections_.indices, loose.firstIndex + firstEntry, entries);
+  if (!indices) return tl::unexpected(indices.error());
+  const auto weights = stage_.slice(sections_.weights, loose.firstWeight + firstEntry, entries);
+  if (!weights) return tl::unexpected(weights.error());
+  const auto outputs = stage_.slice(sections_.outputs, begin, end - begin);
+  if (!outputs) return tl::unexpected(outputs.error());
+  const auto offsets = stage_.slice(sections_.offsets, begin, end - begin + 1);
+  if (!offsets) return tl::unexpected(offsets.error());
+  const auto [lowest, highest] = std::minmax_element(loose.outputs.begin() + begin, loose.outputs.begin() + end);
+  for (const Window& window : stage_.windows(stage_.target(), *lowest, *highest)) {
+    Dispatch dispatch = stage_.dispatch(Kernel::loose);
+    dispatch.push.count = static_cast<std::uint32_t>(end - begin);
+    // The kernel adds the row's offset, which counts from the first entry of all rows: wraps round, as in the kernel.
+    dispatch.push.firstIndex = indices->first - static_cast<std::uint32_t>(firstEntry);
+    dispatch.push.firstWeight = weights->first - static_cast<std::uint32_t>(firstEntry);
+    dispatch.push.firstRecord = outputs->first;
+    dispatch.push.firstTask = offsets->first;
+    rangeOf(dispatch, Slot::indices) = indices->range;
+    rangeOf(dispatch, Slot::weights) = weights->range;
+    rangeOf(dispatch, Slot::records) = outputs->range;
+    rangeOf(dispatch, Slot::tasks) = offsets->range;
+    stage_.bindTarget(dispatch, window);
+    if (const auto shaped = stage_.shape(dispatch, dispatch.push.count); !shaped) return shaped;
+    dispatches_.push_back(dispatch);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<StagePlan> planLevel(const VulkanLimits& limits, const LevelTable& table, const PointLayout& source,
+                            const PointLayout& target, TableImage& image) {
+  const StagePlanner stage(limits, source, target);
+  if (const auto sound = stage.check(); !sound) return tl::unexpected(sound.error());
+  const LevelSections sections{image.add(table.indices), image.add(table.weightsSingle), image.add(table.loose.outputs),
+                               image.add(table.loose.offsets)};
+  auto dispatches = LevelPlanner(stage, table, sections).plan();
+  if (!dispatches) return tl::unexpected(dispatches.error());
+  auto projected = planProjected(stage, table.projected, sections.indices, sections.weights, image);
+  if (!projected) return tl::unexpected(projected.error());
+
+  StagePlan plan;
+  plan.sourceBytes = stage.sourceBytes();
+  plan.targetBytes = stage.targetBytes();
+  plan.partialBytes = projected->partialBytes;
+  dispatches->insert(dispatches->end(), projected->blocks.begin(), projected->blocks.end());
+  plan.steps.push_back(std::move(*dispatches));
+  if (!projected->blocks.empty()) {
+    plan.steps.push_back(std::move(projected->sums));
+    plan.steps.push_back(std::move(projected->outputs));
+  }
+  return plan;
+}
+
+}  // namespace honeycomb::Osd

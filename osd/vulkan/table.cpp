@@ -1,0 +1,242 @@
+#include "osd/vulkan/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace honeycomb::Osd {
+
+std::uint64_t VulkanTable::byteCount() const {
+  std::uint64_t bytes = 0;
+  for (const TableStage& stage : state_->stages) bytes += stage.buffer.size();
+  return bytes;
+}
+
+std::size_t VulkanTable::dispatchCount() const {
+  std::size_t count = 0;
+  for (const auto& phase : state_->phases) count += phase.size();
+  return count;
+}
+
+namespace {
+
+using Far::LevelTable;
+using Far::LimitRows;
+
+Result<void> checkLevels(std::span<const LevelTable* const> levels) {
+  if (levels.empty()) return fail(ErrorCode::invalidOption, "a Vulkan table needs at least one level");
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (levels[i]->sourceCount <= 0 || levels[i]->targetCount <= 0) {
+      return fail(ErrorCode::invalidOption, fmt::format("level {} of the Vulkan table has no points", i + 1));
+    }
+    if (i > 0 && levels[i]->sourceCount != levels[i - 1]->targetCount) {
+      return fail(ErrorCode::invalidOption,
+                  fmt::format("level {} of the Vulkan table reads {} points, the level before has {}", i + 1,
+                              levels[i]->sourceCount, levels[i - 1]->targetCount));
+    }
+  }
+  return {};
+}
+
+Result<void> checkDescriptors(const VulkanTableOptions& options) {
+  const auto check = [](const BufferDescriptor& desc, const char* what) {
+    return checkDescriptor(desc, desc.offset, 0, what);
+  };
+  if (const auto sound = check(options.control, "the control points"); !sound) return sound;
+  if (const auto sound = check(options.refined, "the refined points"); !sound) return sound;
+  if (options.control.length != options.refined.length) {
+    return fail(ErrorCode::invalidOption, fmt::format("control points have {} values and refined points {}: give both the same "
+                                                      "length",
+                                                      options.control.length, options.refined.length));
+  }
+  for (const auto* layouts : {&options.vertexLimits, &options.faceLimits}) {
+    for (const auto* desc : {&layouts->positions, &layouts->normals}) {
+      if (!desc->has_value()) continue;
+      if (const auto sound = check(**desc, "the limits"); !sound) return sound;
+      if ((*desc)->length != 3 || options.refined.length != 3) {
+        return fail(ErrorCode::invalidOption, "limits are computed of points with 3 values and have 3 values themselves");
+      }
+    }
+  }
+  return {};
+}
+
+Result<void> checkLimits(const VulkanTableOptions& options, const Far::LimitTable* limits, const LevelTable& last) {
+  if (options.vertexLimits.empty() && options.faceLimits.empty()) return {};
+  if (limits == nullptr || limits->faces.sourceCount == 0) {
+    return fail(ErrorCode::invalidOption,
+                "limits are wanted of a refinement without: set RefineOptions::limits and evaluate to the last level");
+  }
+  if (limits->faces.sourceCount != last.targetCount) {
+    return fail(ErrorCode::invalidOption, fmt::format("the limits read {} points, the last level has {}",
+                                                      limits->faces.sourceCount, last.targetCount));
+  }
+  return {};
+}
+
+}  // namespace
+
+class TableBuilder {
+ public:
+  TableBuilder(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines, const VulkanTableOptions& options)
+      : core_(core), pipelines_(pipelines) {
+    state_.options = options;
+  }
+
+  Result<VulkanTable> build(std::span<const LevelTable* const> levels, const Far::LimitTable* limits);
+
+ private:
+  using Steps = std::vector<std::vector<TableDispatch>>;
+
+  Result<void> addLevels(std::span<const LevelTable* const> levels);
+  Result<void> addLimits(const Far::LimitTable& limits);
+  Result<Steps> level(const LevelTable& table, PointBuffer source, PointBuffer target);
+  Result<Steps> frames(const LimitRows& rows, const LimitLayouts& layouts, std::int64_t results, PointBuffer source,
+                       PointBuffer positions, PointBuffer normals);
+  Result<Steps> addStage(StagePlan plan, const TableImage& image, TableStage stage);
+  Result<void> appendFrames(std::vector<TableDispatch>& phase, const LimitRows& rows, const LimitLayouts& layouts,
+                            std::int64_t results, PointBuffer source);
+  PointLayout layoutOf(PointBuffer points, std::int64_t count) const;
+  void need(PointBuffer points, std::uint64_t bytes) {
+    auto& needed = state_.bytes[static_cast<std::size_t>(points)];
+    needed = std::max(needed, bytes);
+  }
+
+  std::shared_ptr<const VulkanCore> core_;
+  VulkanPipelines& pipelines_;
+  VulkanTable::State state_;
+};
+
+Result<VulkanTable> TableBuilder::build(std::span<const LevelTable* const> levels, const Far::LimitTable* limits) {
+  state_.controlCount = levels.front()->sourceCount;
+  state_.refinedCount = levels.back()->targetCount;
+  if (const auto added = addLevels(levels); !added) return tl::unexpected(added.error());
+  if (!state_.options.vertexLimits.empty() || !state_.options.faceLimits.empty()) {
+    if (const auto added = addLimits(*limits); !added) return tl::unexpected(added.error());
+  }
+  VulkanTable table;
+  table.state_ = std::make_shared<const VulkanTable::State>(std::move(state_));
+  return table;
+}
+
+// Scratch points are packed: nothing between one point and the next.
+PointLayout TableBuilder::layoutOf(PointBuffer points, std::int64_t count) const {
+  if (points == PointBuffer::control) return {state_.options.control, count};
+  if (points == PointBuffer::refined) return {state_.options.refined, count};
+  const std::int32_t length = state_.options.refined.length;
+  return {{.offset = 0, .length = length, .stride = length}, count};
+}
+
+Result<void> TableBuilder::addLevels(std::span<const LevelTable* const> levels) {
+  PointBuffer source = PointBuffer::control;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const PointBuffer scratch = i % 2 == 0 ? PointBuffer::scratchEven : PointBuffer::scratchOdd;
+    const PointBuffer target = i + 1 == levels.size() ? PointBuffer::refined : scratch;
+    auto steps = level(*levels[i], source, target);
+    if (!steps) return tl::unexpected(steps.error());
+    for (auto& step : *steps) state_.phases.push_back(std::move(step));
+    source = target;
+  }
+  return {};
+}
+
+// What reads the refined points goes together; vertices wait for the child level.
+Result<void> TableBuilder::addLimits(const Far::LimitTable& limits) {
+  const VulkanTableOptions& options = state_.options;
+  std::vector<TableDispatch> first;
+  if (!options.faceLimits.empty()) {
+    state_.faceCount = limits.faces.elementCount;
+    const auto added = appendFrames(first, limits.faces, options.faceLimits, state_.faceCount, PointBuffer::refined);
+    if (!added) return added;
+  }
+  Steps child;
+  std::vector<TableDispatch> last;
+  if (!options.vertexLimits.empty()) {
+    const std::int64_t vertices = state_.refinedCount;
+    const auto here = appendFrames(first, limits.verticesHere, options.vertexLimits, vertices, PointBuffer::refined);
+    if (!here) return here;
+    if (!limits.vertices.batches.empty()) {
+      auto steps = level(limits.child, PointBuffer::refined, PointBuffer::scratchEven);
+      if (!steps) return tl::unexpected(steps.error());
+      child = std::move(*steps);
+      const auto added = appendFrames(last, limits.vertices, options.vertexLimits, vertices, PointBuffer::scratchEven);
+      if (!added) return added;
+    }
+  }
+  if (!child.empty()) first.insert(first.end(), child.front().begin(), child.front().end());
+  state_.phases.push_back(std::move(first));
+  for (std::size_t i = 1; i < child.size(); ++i) state_.phases.push_back(std::move(child[i]));
+  if (!last.empty()) state_.phases.push_back(std::move(last));
+  return {};
+}
+
+Result<void> TableBuilder::appendFrames(std::vector<TableDispatch>& phase, const LimitRows& rows,
+                                        const LimitLayouts& layouts, std::int64_t results, PointBuffer source) {
+  const bool ofFaces = &layouts == &state_.options.faceLimits;
+  const PointBuffer positions = ofFaces ? PointBuffer::facePositions : PointBuffer::vertexPositions;
+  const PointBuffer normals = ofFaces ? PointBuffer::faceNormals : PointBuffer::vertexNormals;
+  if (rows.batches.empty()) return {};
+  const auto steps = frames(rows, layouts, results, source, positions, normals);
+  if (!steps) return tl::unexpected(steps.error());
+  phase.insert(phase.end(), steps->front().begin(), steps->front().end());
+  return {};
+}
+
+Result<TableBuilder::Steps> TableBuilder::level(const LevelTable& table, PointBuffer source, PointBuffer target) {
+  TableImage image(core_->limits.alignment);
+  auto plan = planLevel(core_->limits, table, layoutOf(source, table.sourceCount), layoutOf(target, table.targetCount), image);
+  if (!plan) return tl::unexpected(plan.error());
+  need(target, plan->targetBytes);
+  TableStage stage;
+  stage.source = source;
+  stage.target = target;
+  return addStage(std::move(*plan), image, std::move(stage));
+}
+
+Result<TableBuilder::Steps> TableBuilder::frames(const LimitRows& rows, const LimitLayouts& layouts, std::int64_t results,
+                                                 PointBuffer source, PointBuffer positions, PointBuffer normals) {
+  TableImage image(core_->limits.alignment);
+  auto plan = planLimits(core_->limits, rows, layoutOf(source, rows.sourceCount), layouts, results, image);
+  if (!plan) return tl::unexpected(plan.error());
+  need(positions, plan->targetBytes);
+  need(normals, plan->normalBytes);
+  TableStage stage;
+  stage.source = source;
+  stage.target = positions;
+  stage.normals = normals;
+  return addStage(std::move(*plan), image, std::move(stage));
+}
+
+Result<TableBuilder::Steps> TableBuilder::addStage(StagePlan plan, const TableImage& image, TableStage stage) {
+  need(stage.source, plan.sourceBytes);
+  need(PointBuffer::partials, plan.partialBytes);
+  stage.sourceBytes = plan.sourceBytes;
+  constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+  auto buffer = VulkanBuffer::create(core_, image.byteCount(), kUsage, MemoryUse::device);
+  if (!buffer) return tl::unexpected(buffer.error());
+  if (const auto filled = fillBuffer(core_, *buffer, image.pieces()); !filled) return tl::unexpected(filled.error());
+  stage.buffer = std::move(*buffer);
+  Steps steps;
+  for (const auto& planned : plan.steps) {
+    std::vector<TableDispatch>& step = steps.emplace_back();
+    for (const Dispatch& dispatch : planned) {
+      const auto pipeline = pipelines_.get(dispatch.kernel, dispatch.specialization);
+      if (!pipeline) return tl::unexpected(pipeline.error());
+      step.push_back({dispatch, *pipeline, static_cast<std::uint32_t>(state_.stages.size())});
+    }
+  }
+  state_.stages.push_back(std::move(stage));
+  return steps;
+}
+
+Result<VulkanTable> buildTable(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,
+                               std::span<const LevelTable* const> levels, const Far::LimitTable* limits,
+                               const VulkanTableOptions& options) {
+  if (const auto sound = checkLevels(levels); !sound) return tl::unexpected(sound.error());
+  if (const auto sound = checkDescriptors(options); !sound) return tl::unexpected(sound.error());
+  if (const auto sound = checkLimits(options, limits, *levels.back()); !sound) return tl::unexpected(sound.error());
+  return TableBuilder(core, pipelines, options).build(levels, limits);
+}
+
+}  // namespace honeycomb::Osd

@@ -1,0 +1,93 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// FrameBatch: one invocation an element; its limit position, and its unit normal T1 x T2. kLength is 3.
+#include "evaluate.glsl"
+#include "source.glsl"
+
+layout(set = 0, binding = 1) restrict readonly buffer Indices { uint indices[]; };
+layout(set = 0, binding = 2) restrict readonly buffer Weights { float weights[]; };
+layout(set = 0, binding = 3) restrict writeonly buffer Positions { float positions[]; };
+layout(set = 0, binding = 4) restrict writeonly buffer Normals { float normals[]; };
+layout(set = 0, binding = 5) restrict readonly buffer Elements { uint elements[]; };
+
+const float kSmallest = 1.17549435e-38;  // FLT_MIN
+const float kLargest = 3.40282347e+38;   // FLT_MAX
+
+uint sides() { return kSides != 0u ? kSides : push.sides; }
+
+vec3 sourcePoint(uint index) {
+  const uint point = indices[index];
+  return vec3(sourceValue(point, 0u), sourceValue(point, 1u), sourceValue(point, 2u));
+}
+
+// The weighted sum of the block's points that begins with corner `first`, in ascending order.
+void addBlock(uint index, uint first, inout precise vec3 position, inout precise vec3 tangent1,
+              inout precise vec3 tangent2) {
+  const uint end = min(first + kProjectionBlock, sides());
+  const uint m = push.firstWeight;
+  const uint a = m + sides();
+  const uint b = a + sides();
+  vec3 p = sourcePoint(index + first);
+  precise vec3 sumM = weights[m + first] * p;
+  precise vec3 sumA = weights[a + first] * p;
+  precise vec3 sumB = weights[b + first] * p;
+  for (uint j = first + 1u; j < end; ++j) {
+    p = sourcePoint(index + j);
+    precise vec3 termM = weights[m + j] * p;
+    precise vec3 termA = weights[a + j] * p;
+    precise vec3 termB = weights[b + j] * p;
+    sumM = sumM + termM;
+    sumA = sumA + termA;
+    sumB = sumB + termB;
+  }
+  if (first == 0u) {
+    position = sumM;
+    tangent1 = sumA;
+    tangent2 = sumB;
+  } else {
+    position = position + sumM;
+    tangent1 = tangent1 + sumA;
+    tangent2 = tangent2 + sumB;
+  }
+}
+
+vec3 unitNormal(vec3 s, vec3 t) {
+  precise float xa = s.y * t.z, xb = s.z * t.y;
+  precise float ya = s.z * t.x, yb = s.x * t.z;
+  precise float za = s.x * t.y, zb = s.y * t.x;
+  precise float x = xa - xb, y = ya - yb, z = za - zb;
+  precise float xx = x * x, yy = y * y, zz = z * z;
+  precise float q = xx + yy;
+  q = q + zz;
+  if (!(q >= kSmallest && q <= kLargest)) return vec3(0.0);
+  precise float root = sqrt(q);
+  precise float r = 1.0 / root;
+  precise vec3 normal = vec3(x * r, y * r, z * r);
+  return normal;
+}
+
+// A result that isn't wanted has a window of no numbers.
+void writePosition(uint element, vec3 p) {
+  const uint n = push.targetOffset + element * kTargetStride - push.windowBegin;
+  if (n < push.windowSize) positions[n] = p.x;
+  if (n + 1u < push.windowSize) positions[n + 1u] = p.y;
+  if (n + 2u < push.windowSize) positions[n + 2u] = p.z;
+}
+
+void writeNormal(uint element, vec3 v) {
+  const uint n = push.normalOffset + element * kNormalStride - push.normalBegin;
+  if (n < push.normalSize) normals[n] = v.x;
+  if (n + 1u < push.normalSize) normals[n + 1u] = v.y;
+  if (n + 2u < push.normalSize) normals[n + 2u] = v.z;
+}
+
+void main() {
+  const uint g = invocation();
+  if (g >= push.count) return;
+  const uint index = push.firstIndex + g * sides();
+  precise vec3 position = vec3(0.0), tangent1 = vec3(0.0), tangent2 = vec3(0.0);
+  for (uint first = 0u; first < sides(); first += kProjectionBlock) addBlock(index, first, position, tangent1, tangent2);
+  const uint element = elements[push.firstRecord + g];
+  writePosition(element, position);
+  writeNormal(element, unitNormal(tangent1, tangent2));
+}

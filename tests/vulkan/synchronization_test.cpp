@@ -1,0 +1,70 @@
+// A test of the tests: that validation hears what is wrong. Synchronization validation of 1.3.239 doesn't report
+// writes after writes between dispatches, but reads after writes, which is what levels do.
+#include <gmock/gmock.h>
+
+#include "fixture.h"
+#include "osd/vulkan/session.h"
+#include "random_tables.h"
+#include "runs.h"
+
+namespace honeycomb::VulkanTests {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> messagesOf(const Osd::VulkanEvaluatorOptions& options, const std::vector<Far::LevelTable>& levels) {
+  auto context = Osd::VulkanContext::create({.validation = true});
+  if (!context) throw std::runtime_error(context.error().message);
+  auto evaluator = Osd::VulkanEvaluator::create(context->device(), options);
+  if (!evaluator) throw std::runtime_error(evaluator.error().message);
+  auto session = Osd::VulkanSession::create(*evaluator, *evaluator->upload(pointersTo(levels), nullptr));
+  if (!session) throw std::runtime_error(session.error().message);
+  if (const auto ran = session->run(); !ran) throw std::runtime_error(ran.error().message);
+  return context->messages();
+}
+
+bool layerMissing() {
+  const auto context = Osd::VulkanContext::create({.validation = true});
+  return !context && context.error().code == ErrorCode::unsupported;
+}
+
+const std::vector<Far::LevelTable> kLevels{randomTable({.sourceCount = 300, .circulants = {{6, 60}}}, 1),
+                                           randomTable({.sourceCount = 360, .circulants = {{5, 108}}}, 2)};
+const std::vector<Far::LevelTable> kLargeFace{randomTable({.sourceCount = 300, .projected = {700}}, 1)};
+
+TEST(SynchronizationTest, AMissingBarrierBetweenLevelsIsReported) {
+  if (layerMissing()) GTEST_SKIP() << "VK_LAYER_KHRONOS_validation isn't installed";
+  EXPECT_THAT(messagesOf({.leaveOutBarriers = true}, kLevels), Contains(HasSubstr("SYNC-HAZARD-READ-AFTER-WRITE")));
+}
+
+TEST(SynchronizationTest, AMissingBarrierBetweenTheStepsOfALargeFaceIsReported) {
+  if (layerMissing()) GTEST_SKIP() << "VK_LAYER_KHRONOS_validation isn't installed";
+  EXPECT_THAT(messagesOf({.leaveOutBarriers = true}, kLargeFace), Contains(HasSubstr("SYNC-HAZARD-READ-AFTER-WRITE")));
+}
+
+TEST(SynchronizationTest, WithTheBarriersNothingIsReported) {
+  if (layerMissing()) GTEST_SKIP() << "VK_LAYER_KHRONOS_validation isn't installed";
+  EXPECT_THAT(messagesOf({}, kLevels), IsEmpty());
+  EXPECT_THAT(messagesOf({}, kLargeFace), IsEmpty());
+  EXPECT_THAT(messagesOf({.stageEverything = true}, kLevels), IsEmpty());
+}
+
+TEST(SynchronizationTest, ALeakedObjectIsReportedWhenTheDeviceIsDestroyed) {
+  if (layerMissing()) GTEST_SKIP() << "VK_LAYER_KHRONOS_validation isn't installed";
+  auto context = Osd::VulkanContext::create({.validation = true});
+  ASSERT_TRUE(context) << context.error().message;
+  const auto functions = Osd::VulkanFunctions::load(context->device().instance, context->device().device);
+  ASSERT_TRUE(functions) << functions.error().message;
+  VkFenceCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
+  VkFence leaked = VK_NULL_HANDLE;
+  ASSERT_EQ(functions->device.vkCreateFence(context->device().device, &info, nullptr, &leaked), VK_SUCCESS);
+  const auto log = context->validationLog();
+  { const Osd::VulkanContext ended = std::move(*context); }
+  EXPECT_THAT(log->messages(), Contains(HasSubstr("has not been destroyed")));
+}
+
+}  // namespace
+}  // namespace honeycomb::VulkanTests
