@@ -1,0 +1,93 @@
+#include "apps/cli/bake_frames.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/cli/interrupt.h"
+#include "apps/cli/progress.h"
+#include "apps/cli/surface_options.h"
+#include "far/base/index.h"
+#include "far/base/parallel.h"
+
+namespace honeycomb::Cli {
+namespace {
+
+/// What one frame of the window works with; nothing is allocated once it is warm.
+struct Slot {
+  std::unique_ptr<SurfaceEvaluator> evaluator;
+  std::vector<float> control;
+  Surface<float> surface;
+  Result<void> result;
+};
+
+Result<std::vector<Slot>> makeSlots(const BakeFrames& job) {
+  std::vector<Slot> slots(at(job.framesAtOnce));
+  for (Slot& slot : slots) {
+    auto evaluator = job.framesAtOnce == 1 ? job.backend.evaluator(job.refinement, Normals::none)
+                                           : job.backend.frameEvaluator(job.refinement);
+    if (!evaluator) return tl::unexpected(evaluator.error());
+    slot.evaluator = std::move(*evaluator);
+  }
+  return slots;
+}
+
+/// The frame's points without the vertices that were left out.
+std::span<const float> controlPoints(const MeshInput& input, std::span<const float> frame, std::vector<float>& kept) {
+  if (input.kept.empty()) return frame;
+  kept.clear();
+  for (const std::int32_t v : input.kept) {
+    const auto point = frame.subspan(3 * at(v), 3);
+    kept.insert(kept.end(), point.begin(), point.end());
+  }
+  return kept;
+}
+
+Error ofFrame(const BakeFrames& job, std::int32_t frame, Error error) {
+  error.message = fmt::format("{}: frame {}: {}", job.cacheFile, frame, error.message);
+  return error;
+}
+
+Result<void> bakeFrame(const BakeFrames& job, std::int32_t frame, Slot& slot) {
+  if (interruptSignal() != 0) return fail(ErrorCode::unwritable, "interrupted");
+  const Result<std::span<const float>> points = job.cache.frame(frame);
+  if (!points) return tl::unexpected(inFile(job.cacheFile, points.error()));
+  Result<void> done = slot.evaluator->evaluate(controlPoints(job.input, *points, slot.control), slot.surface);
+  if (done) done = checkFinite<float>(slot.surface.points);
+  if (!done) return tl::unexpected(ofFrame(job, frame, done.error()));
+  return {};
+}
+
+/// Refines the frames first .. first+count-1, each in its slot.
+void bakeWindow(const BakeFrames& job, std::int32_t first, std::int32_t count, std::vector<Slot>& slots,
+                Progress& progress) {
+  const auto bakeSlot = [&](std::int64_t i) {
+    slots[at(i)].result = bakeFrame(job, first + static_cast<std::int32_t>(i), slots[at(i)]);
+    progress.advance(1);
+  };
+  // A lone frame keeps its evaluator's own threads: no task is put around it.
+  if (count == 1) return bakeSlot(0);
+  Parallel::forEach(0, count, bakeSlot, 1);
+}
+
+}  // namespace
+
+Result<void> bakeFrames(const BakeFrames& job, const Session& session, Io::Pc2Writer& writer,
+                        std::vector<float>* firstFrame) {
+  Result<std::vector<Slot>> slots = makeSlots(job);
+  if (!slots) return tl::unexpected(slots.error());
+  Progress progress(session, "baking", "frames", job.range.count());
+  for (std::int32_t first = job.range.begin; first < job.range.end; first += job.framesAtOnce) {
+    const std::int32_t count = std::min(job.framesAtOnce, job.range.end - first);
+    bakeWindow(job, first, count, *slots, progress);
+    for (std::int32_t i = 0; i < count; ++i) {
+      const Slot& slot = (*slots)[at(i)];
+      if (!slot.result) return slot.result;
+      if (const auto written = writer.write(slot.surface.points); !written) return written;
+      if (firstFrame && first + i == job.range.begin) *firstFrame = slot.surface.points;
+    }
+  }
+  return {};
+}
+
+}  // namespace honeycomb::Cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/cli/console.h"
+#include "apps/cli/frame_range.h"
+#include "apps/cli/mesh_input.h"
+#include "apps/cli/surface_evaluator.h"
+#include "far/base/result.h"
+#include "far/tables/refinement.h"
+#include "io/pc2.h"
+
+namespace honeycomb::Cli {
+
+/// What to bake; everything outlives the job.
+struct BakeFrames {
+  const Io::Pc2Reader& cache;
+  FrameRange range;
+  const MeshInput& input;
+  const Far::Refinement& refinement;
+  Backend& backend;
+  int framesAtOnce = 1;
+  std::string cacheFile;  ///< for messages
+};
+
+/// Reads, refines and writes the frames in order, `framesAtOnce` of them in memory, each a task of its own. Keeps the
+/// points of the first one in `firstFrame` unless that is null. Errors: the first frame's that has one.
+Result<void> bakeFrames(const BakeFrames& job, const Session& session, Io::Pc2Writer& writer,
+                        std::vector<float>* firstFrame);
+
+}  // namespace honeycomb::Cli

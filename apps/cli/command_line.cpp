@@ -1,0 +1,68 @@
+#include "apps/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <new>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/console.h"
+#include "apps/cli/interrupt.h"
+#include "far/base/parallel.h"
+
+namespace honeycomb::Cli {
+namespace {
+
+// CLI11 has a code for each kind of mistake; scripts get one for all of them.
+constexpr int kUnparsable = 2;
+constexpr int kMostThreads = 4096;
+
+Result<void> act(const Command& command) {
+  if (command.session.threads < 0 || command.session.threads > kMostThreads)
+    return fail(ErrorCode::invalidOption, "--threads " + std::to_string(command.session.threads) +
+                                              ": give a number from 1 to " + std::to_string(kMostThreads) +
+                                              ", or 0 for all the machine has");
+  const Parallel::ThreadLimit limit(command.session.threads);
+  return command.action(command.session);
+}
+
+Result<void> actCatching(const Command& command) {
+  try {
+    return act(command);
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::outOfMemory, "out of memory; use fewer --levels, or fewer --threads for a bake");
+  } catch (const std::exception& unexpected) {
+    return fail(ErrorCode::unreadable, unexpected.what());
+  }
+}
+
+int finish(const Result<void>& result) {
+  if (interruptSignal() != 0) dieOfInterrupt();
+  if (!result) printError(result.error());
+  return result ? 0 : 1;
+}
+
+int parseFailure(const CLI::App& app, const CLI::ParseError& failure) {
+  if (failure.get_exit_code() == 0) return app.exit(failure);  // --help, --version
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const std::string help = chosen.empty() ? "honeycomb --help" : "honeycomb " + chosen[0]->get_name() + " --help";
+  printError({ErrorCode::invalidOption, std::string(failure.what()) + "; see " + help});
+  return kUnparsable;
+}
+
+}  // namespace
+
+int run(int argumentCount, char** arguments) {
+  prepareSignals();
+  CLI::App app{"Honeycomb: three-valent subdivision of deforming polygon meshes", "honeycomb"};
+  app.set_version_flag("--version", "honeycomb " HONEYCOMB_VERSION);
+  app.require_subcommand(1);
+  Command command;
+  for (const CommandEntry& entry : commands()) entry.add(app, command);
+  try {
+    app.parse(argumentCount, arguments);
+  } catch (const CLI::ParseError& failure) {
+    return parseFailure(app, failure);
+  }
+  return finish(actCatching(command));
+}
+
+}  // namespace honeycomb::Cli

@@ -1,0 +1,73 @@
+#include "apps/cli/formats.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <system_error>
+
+#include "apps/cli/choice.h"
+
+namespace honeycomb::Cli {
+namespace {
+
+constexpr std::array kMeshFormats{MeshFormat{".obj", Io::readObj, Io::writeObj<float>, Io::writeObj<double>}};
+
+struct CacheFormat {
+  std::string_view name;
+};
+constexpr std::array kCacheFormats{CacheFormat{".pc2"}};
+
+std::string lowerExtension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+template <class Table>
+auto byExtension(const Table& table, std::string_view kind, const std::filesystem::path& path)
+    -> Result<decltype(&table[0])> {
+  const std::string extension = lowerExtension(path);
+  for (const auto& format : table)
+    if (format.name == extension) return &format;
+  return fail(ErrorCode::invalidOption,
+              fmt::format("{}: {} files end in {}; give a file of that kind", path.string(), kind, names(table)));
+}
+
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(a, b, ignored)) return true;
+  return std::filesystem::absolute(a, ignored).lexically_normal() ==
+         std::filesystem::absolute(b, ignored).lexically_normal();
+}
+
+}  // namespace
+
+Result<const MeshFormat*> meshFormat(const std::filesystem::path& path) {
+  return byExtension(kMeshFormats, "mesh", path);
+}
+
+Result<void> checkCacheFormat(const std::filesystem::path& path) {
+  return byExtension(kCacheFormats, "point cache", path).map([](const CacheFormat*) {});
+}
+
+Result<void> checkOutput(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs) {
+  for (const std::filesystem::path& input : inputs) {
+    if (sameFile(output, input))
+      return fail(ErrorCode::invalidOption,
+                  fmt::format("{}: would be written over what is read from it; give another output", output.string()));
+  }
+  std::error_code ignored;
+  if (std::filesystem::is_directory(output, ignored))
+    return fail(ErrorCode::unwritable, fmt::format("{}: is a folder; name a file in it", output.string()));
+  const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    return fail(ErrorCode::unwritable,
+                fmt::format("{}: can't be created: {}: {}; choose a folder that is there and can be written",
+                            output.string(), folder.string(), std::generic_category().message(errno)));
+  return {};
+}
+
+}  // namespace honeycomb::Cli

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "far/base/result.h"
+#include "io/obj.h"
+
+namespace honeycomb::Cli {
+
+/// A file format for meshes. A new one is one line of the table in formats.cpp.
+struct MeshFormat {
+  std::string_view name;  ///< the extension with its dot, in lower case
+  Result<Io::ObjMesh> (*read)(const std::filesystem::path&);
+  Result<void> (*writeSingle)(const std::filesystem::path&, const Io::ObjContent<float>&);
+  Result<void> (*writeDouble)(const std::filesystem::path&, const Io::ObjContent<double>&);
+
+  Result<void> write(const std::filesystem::path& path, const Io::ObjContent<float>& content) const {
+    return writeSingle(path, content);
+  }
+  Result<void> write(const std::filesystem::path& path, const Io::ObjContent<double>& content) const {
+    return writeDouble(path, content);
+  }
+};
+
+/// The mesh format of a path by its extension, in upper or lower case. Errors: invalidOption, listing the formats.
+Result<const MeshFormat*> meshFormat(const std::filesystem::path& path);
+
+/// Is the path a point cache's? Errors: invalidOption, listing the cache formats.
+Result<void> checkCacheFormat(const std::filesystem::path& path);
+
+/// Can the output be what the user wants, as far as can be told before the work is done: in a folder that is there and
+/// can be written, no folder itself, and none of the inputs. Errors: unwritable, invalidOption.
+Result<void> checkOutput(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs);
+
+}  // namespace honeycomb::Cli

@@ -1,0 +1,66 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "apps/cli/commands.h"
+#include "apps/cli/info_machine.h"
+#include "apps/cli/info_report.h"
+#include "apps/cli/scheme_options.h"
+
+namespace honeycomb::Cli {
+namespace {
+
+constexpr std::int32_t kDefaultLevels = 5;
+
+struct InfoCommand {
+  std::string input;  ///< empty: the machine
+  std::int32_t levels = kDefaultLevels;
+  SchemeOptions scheme;
+  bool dropIsolated = false;
+};
+
+Result<void> printDefects(const Session& session, const MeshInput& input, const std::vector<Far::Defect>& defects) {
+  const DefectList list{input, defects};
+  const auto printed = printResult(session.json ? defectsJson(list) : defectsText(list));
+  return printed ? tl::unexpected(summarize(input, defects)) : printed;
+}
+
+Result<void> infoOfMesh(const InfoCommand& command, const Session& session) {
+  if (command.levels < 0 || command.levels > Far::kMaxLevels)
+    return fail(ErrorCode::invalidOption,
+                fmt::format("--levels {}: give a number from 0 to {}", command.levels, Far::kMaxLevels));
+  const Result<Far::Scheme> scheme = makeScheme(command.scheme);
+  if (!scheme) return tl::unexpected(scheme.error());
+  Result<MeshInput> input = readMesh(command.input, command.dropIsolated ? Isolated::drop : Isolated::keep);
+  if (!input) return tl::unexpected(input.error());
+  if (keepsCorners(command.scheme)) tagCorners(input->mesh.polygons);
+  const std::vector<Far::Defect> defects = Far::findDefects(input->mesh.polygons);
+  if (!defects.empty()) return printDefects(session, *input, defects);
+  const Result<Far::Topology> topology = makeTopology(*input);
+  if (!topology) return tl::unexpected(topology.error());
+  const MeshReport report{*input, *topology, predictSizes(*topology, *scheme, command.levels, RunShape{}),
+                          availableMemory()};
+  return printResult(session.json ? meshJson(report) : meshText(report));
+}
+
+Result<void> info(const InfoCommand& command, const Session& session) {
+  if (!command.input.empty()) return infoOfMesh(command, session);
+  return printResult(session.json ? machineJson() : machineText());
+}
+
+}  // namespace
+
+void addInfo(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<InfoCommand>();
+  CLI::App* subcommand = app.add_subcommand(
+      "info", "A mesh's counts, defects and predicted sizes; without IN: this machine's devices and limits");
+  subcommand->add_option("IN", options->input, "Mesh (.obj)");
+  subcommand->add_option("--levels", options->levels, "Levels to predict")->capture_default_str();
+  addSchemeOptions(*subcommand, options->scheme);
+  subcommand->add_flag("--drop-isolated", options->dropIsolated, "Leave out vertices that are in no face");
+  addSessionOptions(*subcommand, command.session);
+  subcommand->callback(
+      [options, &command] { command.action = [options](const Session& session) { return info(*options, session); }; });
+}
+
+}  // namespace honeycomb::Cli

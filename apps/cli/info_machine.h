@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace honeycomb::Cli {
+
+/// Processor, memory, Vulkan devices, and what this build can do.
+std::string machineText();
+std::string machineJson();
+
+}  // namespace honeycomb::Cli

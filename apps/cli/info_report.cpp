@@ -1,0 +1,162 @@
+#include "apps/cli/info_report.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "apps/cli/console.h"
+#include "apps/cli/json_text.h"
+#include "apps/cli/mesh_facts.h"
+
+namespace honeycomb::Cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json histogramJson(const Histogram& histogram) {
+  Json json = Json::object();
+  for (const auto& entry : histogram) json[std::to_string(entry.first)] = entry.second;
+  return json;
+}
+
+/// "3: 120   4: 80"
+std::string histogramText(const Histogram& histogram) {
+  std::string text;
+  for (const auto& entry : histogram)
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "   ", entry.first, grouped(entry.second));
+  return text;
+}
+
+std::string boundariesText(const std::vector<std::int64_t>& loops) {
+  constexpr std::size_t kShown = 8;
+  if (loops.empty()) return "none, the mesh is closed";
+  std::string text = fmt::format("{}, of", grouped(std::ssize(loops)));
+  for (std::size_t i = 0; i < loops.size() && i < kShown; ++i)
+    text += fmt::format("{} {}", i == 0 ? "" : ",", grouped(loops[i]));
+  return text + (loops.size() > kShown ? ", ... edges" : " edges");
+}
+
+bool fits(const LevelSize& size, std::int64_t memory) {
+  return size.counts.halfEdges <= kMostHalfEdges && size.runBytes <= memory;
+}
+
+std::string levelsText(const MeshReport& report) {
+  std::string text = fmt::format("\n{:>5} {:>17} {:>17} {:>17} {:>17} {:>10} {:>10} {:>10}\n", "level", "vertices",
+                                 "edges", "faces", "half-edges", "tables", "points", "whole run");
+  for (std::size_t k = 0; k < report.sizes.size(); ++k) {
+    const LevelSize& size = report.sizes[k];
+    const Far::LevelCounts& counts = size.counts;
+    const std::string_view mark = counts.halfEdges > kMostHalfEdges ? "  past 2^31 half-edges"
+                                  : !fits(size, report.memory)      ? "  more than is free"
+                                  : counts.exact                    ? ""
+                                                                    : "  at most";
+    fmt::format_to(std::back_inserter(text), "{:>5} {:>17} {:>17} {:>17} {:>17} {:>10} {:>10} {:>10}{}\n", k,
+                   grouped(counts.vertices), grouped(counts.edges), grouped(counts.faces), grouped(counts.halfEdges),
+                   humanBytes(counts.bytes), humanBytes(size.pointBytes), humanBytes(size.runBytes), mark);
+  }
+  return text + fmt::format("bytes are predictions for single precision and one frame; {} of memory is free\n",
+                            humanBytes(report.memory));
+}
+
+Json levelsJson(const MeshReport& report) {
+  Json levels = Json::array();
+  for (std::size_t k = 0; k < report.sizes.size(); ++k) {
+    const LevelSize& size = report.sizes[k];
+    levels.push_back({{"level", k},
+                      {"vertices", size.counts.vertices},
+                      {"edges", size.counts.edges},
+                      {"faces", size.counts.faces},
+                      {"half_edges", size.counts.halfEdges},
+                      {"boundary_edges", size.counts.boundaryEdges},
+                      {"exact", size.counts.exact},
+                      {"table_bytes", size.counts.bytes},
+                      {"point_bytes", size.pointBytes},
+                      {"run_bytes", size.runBytes},
+                      {"fits", fits(size, report.memory)}});
+  }
+  return levels;
+}
+
+std::string droppedText(const MeshInput& input) {
+  return input.dropped() == 0 ? "" : fmt::format("   ({} isolated left out)", grouped(input.dropped()));
+}
+
+}  // namespace
+
+std::string meshText(const MeshReport& report) {
+  const MeshFacts facts = gatherFacts(report.topology);
+  const Bounds bounds = findBounds(report.input.mesh);
+  const Far::Topology& topology = report.topology;
+  std::string text = report.input.file + "\n";
+  const auto row = [&text](std::string_view name, const std::string& value) {
+    fmt::format_to(std::back_inserter(text), "  {:<12} {}\n", name, value);
+  };
+  row("vertices", grouped(topology.vertexCount()) + droppedText(report.input));
+  row("edges", grouped(topology.edgeCount()));
+  row("faces", grouped(topology.faceCount()));
+  row("half-edges", grouped(topology.halfEdgeCount()));
+  row("sides", histogramText(countSides(report.input.mesh.polygons)));
+  row("valences", histogramText(facts.valences));
+  row("boundaries", boundariesText(facts.boundaryLoops));
+  row("components", grouped(facts.components));
+  row("Euler", fmt::format("V - E + F = {}, genus {}", topology.eulerCharacteristic(), facts.genus));
+  row("bounds", fmt::format("{:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} {:.6g}", bounds.low[0], bounds.low[1], bounds.low[2],
+                            bounds.high[0], bounds.high[1], bounds.high[2]));
+  row("defects", "none");
+  return text + levelsText(report);
+}
+
+std::string meshJson(const MeshReport& report) {
+  const MeshFacts facts = gatherFacts(report.topology);
+  const Bounds bounds = findBounds(report.input.mesh);
+  return jsonText({{"file", report.input.file},
+                   {"vertices", report.topology.vertexCount()},
+                   {"edges", report.topology.edgeCount()},
+                   {"faces", report.topology.faceCount()},
+                   {"half_edges", report.topology.halfEdgeCount()},
+                   {"dropped_vertices", report.input.dropped()},
+                   {"sides", histogramJson(countSides(report.input.mesh.polygons))},
+                   {"valences", histogramJson(facts.valences)},
+                   {"boundary_loops", facts.boundaryLoops},
+                   {"components", facts.components},
+                   {"euler_characteristic", report.topology.eulerCharacteristic()},
+                   {"genus", facts.genus},
+                   {"bounds", {{"low", bounds.low}, {"high", bounds.high}}},
+                   {"defects", Json::array()},
+                   {"memory_bytes", report.memory},
+                   {"levels", levelsJson(report)}});
+}
+
+std::string defectsText(const DefectList& list) {
+  const Far::Polygons& polygons = list.input.mesh.polygons;
+  std::string text =
+      fmt::format("{}\n  {:<12} {}{}\n  {:<12} {}\n  {:<12} {}\n  {:<12} {}\n\n", list.input.file, "vertices",
+                  grouped(polygons.vertexCount), droppedText(list.input), "faces", grouped(polygons.faceCount()),
+                  "sides", histogramText(countSides(polygons)), "defects", grouped(std::ssize(list.defects)));
+  for (const Far::Defect& defect : list.defects) {
+    const DefectReport entry = report(list.input, defect);
+    fmt::format_to(std::back_inserter(text), "{}:{}: {}: {}\n", list.input.file, entry.line, entry.what, entry.remedy);
+  }
+  return text + "face and vertex numbers count from 1, as in the file\n";
+}
+
+std::string defectsJson(const DefectList& list) {
+  Json defects = Json::array();
+  for (const Far::Defect& defect : list.defects) {
+    const DefectReport entry = report(list.input, defect);
+    defects.push_back({{"line", entry.line},
+                       {"face", entry.face > 0 ? Json(entry.face) : Json()},
+                       {"vertex", entry.vertex > 0 ? Json(entry.vertex) : Json()},
+                       {"what", entry.what},
+                       {"remedy", entry.remedy}});
+  }
+  const Far::Polygons& polygons = list.input.mesh.polygons;
+  return jsonText({{"file", list.input.file},
+                   {"vertices", polygons.vertexCount},
+                   {"faces", polygons.faceCount()},
+                   {"dropped_vertices", list.input.dropped()},
+                   {"sides", histogramJson(countSides(polygons))},
+                   {"defects", defects}});
+}
+
+}  // namespace honeycomb::Cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "far/base/result.h"
+#include "far/schemes/scheme.h"
+#include "far/tables/refinement.h"
+
+namespace honeycomb::Cli {
+
+/// Bytes a run may take: what the system says is available, less a margin. The largest number where it doesn't say.
+std::int64_t availableMemory();
+
+/// What a run keeps besides its tables.
+struct RunShape {
+  int framesAtOnce = 1;
+  int bytesPerNumber = 4;
+  bool normals = false;
+};
+
+/// What each level 0..L takes.
+struct LevelSize {
+  Far::LevelCounts counts;
+  std::int64_t pointBytes = 0;  ///< one frame of its points
+  std::int64_t runBytes = 0;    ///< a whole run to this level: all tables and buffers
+};
+std::vector<LevelSize> predictSizes(const Far::Topology& control, const Far::Scheme& scheme, std::int32_t levels,
+                                    const RunShape& shape);
+
+/// Half-edges a level may have: their numbers are 32-bit.
+constexpr std::int64_t kMostHalfEdges = 2147483647;
+
+/// Errors: tooLarge, naming the first level that can't be and its bytes, before anything is allocated.
+Result<void> checkSizes(std::span<const LevelSize> sizes, std::int64_t memory);
+
+}  // namespace honeycomb::Cli

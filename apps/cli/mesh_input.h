@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "far/base/result.h"
+#include "far/topology/defects.h"
+#include "far/topology/topology.h"
+#include "io/obj.h"
+
+namespace honeycomb::Cli {
+
+/// A mesh as read from a file, perhaps without its isolated vertices.
+struct MeshInput {
+  std::string file;  ///< as the user wrote it
+  Io::ObjMesh mesh;
+  std::int32_t fileVertices = 0;   ///< vertices in the file
+  std::vector<std::int32_t> kept;  ///< 0-based number in the file of each vertex of `mesh`; empty: all are there
+
+  std::int64_t dropped() const { return fileVertices - mesh.polygons.vertexCount; }
+  std::int64_t fileVertex(std::int64_t v) const { return kept.empty() ? v : kept[static_cast<std::size_t>(v)]; }
+};
+
+enum class Isolated { keep, drop };
+
+/// Reads a mesh in any of the formats there are. Errors: those of the reader, naming file and line.
+Result<MeshInput> readMesh(const std::string& file, Isolated isolated);
+
+/// A defect as the owner of the file sees it.
+struct DefectReport {
+  std::int64_t line = 0;    ///< 1-based
+  std::int64_t face = 0;    ///< 1-based number of the f statement; 0: no face meant
+  std::int64_t vertex = 0;  ///< 1-based number as in the file; 0: no vertex meant
+  std::string what;         ///< in these numbers
+  std::string remedy;
+};
+DefectReport report(const MeshInput& input, const Far::Defect& defect);
+
+/// The connectivity, validated. Errors: invalidMesh, naming line, face and vertex of the first defect and how many
+/// there are, and pointing to `honeycomb info`.
+Result<Far::Topology> makeTopology(const MeshInput& input);
+
+/// The one line that stands for all the defects; `defects` isn't empty.
+Error summarize(const MeshInput& input, const std::vector<Far::Defect>& defects);
+
+/// The error with the file in front, unless it already names it.
+Error inFile(const std::string& file, Error error);
+
+/// Tags vertices that lie in one face only, so that the brick boundary keeps them where they are.
+void tagCorners(Far::Polygons& polygons);
+
+}  // namespace honeycomb::Cli

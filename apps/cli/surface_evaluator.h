@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "far/base/result.h"
+#include "far/tables/refinement.h"
+
+namespace honeycomb::Cli {
+
+/// The points of the last level of a refinement, x y z packed, and unit normals of as many vertices or none.
+template <class Real>
+struct Surface {
+  std::vector<Real> points;
+  std::vector<Real> normals;
+};
+
+enum class Normals { none, exact };
+
+/// Refines one frame after another. Belongs to one thread at a time.
+class SurfaceEvaluator {
+ public:
+  virtual ~SurfaceEvaluator() = default;
+  /// `control`: 3 numbers a control vertex. Fills the surface, whose storage is kept from frame to frame.
+  virtual Result<void> evaluate(std::span<const float> control, Surface<float>& surface) = 0;
+  virtual Result<void> evaluate(std::span<const double> control, Surface<double>& surface) = 0;
+};
+
+/// An opened backend: whatever it needs from the machine is there.
+class Backend {
+ public:
+  virtual ~Backend() = default;
+  virtual std::string_view name() const = 0;
+  /// An evaluator that has the machine to itself. The refinement outlives it.
+  virtual Result<std::unique_ptr<SurfaceEvaluator>> evaluator(const Far::Refinement& refinement, Normals normals) = 0;
+  /// How many frames of a bake are refined at the same time.
+  virtual int framesAtOnce() const = 0;
+  /// An evaluator for one of several frames refined at the same time.
+  virtual Result<std::unique_ptr<SurfaceEvaluator>> frameEvaluator(const Far::Refinement& refinement) = 0;
+};
+
+/// The backends, `auto` among them. A new one is one line of the table in backends.cpp.
+struct BackendEntry {
+  std::string_view name;
+  bool doublePrecision;
+  /// Errors: noDevice and the like, saying what to do.
+  Result<std::unique_ptr<Backend>> (*open)();
+};
+std::span<const BackendEntry> backends();
+
+/// The openers behind the table.
+Result<std::unique_ptr<Backend>> openSerial();
+Result<std::unique_ptr<Backend>> openTbb();
+Result<std::unique_ptr<Backend>> openVulkan();
+
+}  // namespace honeycomb::Cli

@@ -1,0 +1,83 @@
+#include "apps/cli/surface_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "apps/cli/choice.h"
+#include "far/base/index.h"
+
+namespace honeycomb::Cli {
+
+void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options) {
+  subcommand.add_option("--levels", options.levels, "Refinement steps, 1 to " + std::to_string(Far::kMaxLevels))
+      ->capture_default_str();
+  addSchemeOptions(subcommand, options.scheme);
+  subcommand.add_option("--backend", options.backend, "What refines: " + names(backends()) + " (auto: tbb)")
+      ->capture_default_str();
+  subcommand.add_flag("--drop-isolated", options.dropIsolated, "Leave out vertices that are in no face");
+}
+
+Result<SurfacePlan> planSurface(const SurfaceOptions& options, int bytesPerNumber) {
+  if (options.levels < 1 || options.levels > Far::kMaxLevels)
+    return fail(ErrorCode::invalidOption,
+                fmt::format("--levels {}: give a number from 1 to {}", options.levels, Far::kMaxLevels));
+  SurfacePlan plan;
+  plan.levels = options.levels;
+  const auto entry = choose(backends(), "--backend", options.backend);
+  if (!entry) return tl::unexpected(entry.error());
+  if (bytesPerNumber == 8 && !(*entry)->doublePrecision)
+    return fail(ErrorCode::invalidOption,
+                fmt::format("--precision double: the {} backend has single precision only; use serial or tbb",
+                            options.backend));
+  Result<Far::Scheme> scheme = makeScheme(options.scheme);
+  if (!scheme) return tl::unexpected(scheme.error());
+  plan.scheme = std::move(*scheme);
+  Result<MeshInput> input = readMesh(options.input, options.dropIsolated ? Isolated::drop : Isolated::keep);
+  if (!input) return tl::unexpected(input.error());
+  plan.input = std::move(*input);
+  if (keepsCorners(options.scheme)) tagCorners(plan.input.mesh.polygons);
+  Result<Far::Topology> control = makeTopology(plan.input);
+  if (!control) return tl::unexpected(control.error());
+  plan.control = std::move(*control);
+  Result<std::unique_ptr<Backend>> backend = (*entry)->open();
+  if (!backend) return tl::unexpected(backend.error());
+  plan.backend = std::move(*backend);
+  return plan;
+}
+
+Result<Far::Refinement> buildTables(const SurfacePlan& plan, const RunShape& shape) {
+  const std::int64_t memory = availableMemory();
+  const std::vector<LevelSize> sizes = predictSizes(plan.control, plan.scheme, plan.levels, shape);
+  const Result<void> fits = checkSizes(sizes, memory);
+  if (!fits) return tl::unexpected(inFile(plan.input.file, fits.error()));
+  Far::RefineOptions options;
+  options.limits = shape.normals;
+  options.memoryLimit = memory;
+  Result<Far::Refinement> refinement = Far::refine(plan.control, plan.scheme, plan.levels, options);
+  if (!refinement) return tl::unexpected(inFile(plan.input.file, refinement.error()));
+  return refinement;
+}
+
+template <class Real>
+Result<void> checkFinite(std::span<const Real> points) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!std::isfinite(points[i]))
+      return fail(ErrorCode::invalidPositions,
+                  fmt::format("refined vertex {} overflows {} precision; scale the mesh down", i / 3 + 1,
+                              sizeof(Real) == 4 ? "single" : "double"),
+                  static_cast<std::int64_t>(i / 3));
+  return {};
+}
+template Result<void> checkFinite<float>(std::span<const float>);
+template Result<void> checkFinite<double>(std::span<const double>);
+
+double Stopwatch::lap() {
+  const auto now = std::chrono::steady_clock::now();
+  const double milliseconds = std::chrono::duration<double, std::milli>(now - last_).count();
+  last_ = now;
+  return milliseconds;
+}
+
+}  // namespace honeycomb::Cli

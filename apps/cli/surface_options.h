@@ -1,0 +1,62 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "apps/cli/console.h"
+#include "apps/cli/memory.h"
+#include "apps/cli/mesh_input.h"
+#include "apps/cli/scheme_options.h"
+#include "apps/cli/surface_evaluator.h"
+#include "far/tables/refinement.h"
+
+namespace CLI {
+class App;
+}
+
+namespace honeycomb::Cli {
+
+/// What refine and bake have in common.
+struct SurfaceOptions {
+  std::string input;
+  std::int32_t levels = 2;
+  SchemeOptions scheme;
+  std::string backend = "auto";
+  bool dropIsolated = false;
+};
+
+/// Adds --levels, the scheme's options, --backend and --drop-isolated.
+void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options);
+
+/// An input, checked and opened: nothing that the tables need is missing, and nothing of them is built.
+struct SurfacePlan {
+  MeshInput input;
+  Far::Topology control;
+  Far::Scheme scheme;
+  std::int32_t levels = 0;
+  std::unique_ptr<Backend> backend;
+};
+
+/// Reads and validates everything the options name. Errors: whatever is wrong with it.
+Result<SurfacePlan> planSurface(const SurfaceOptions& options, int bytesPerNumber);
+
+/// Builds the tables, if they and the run's buffers fit. Errors: tooLarge.
+Result<Far::Refinement> buildTables(const SurfacePlan& plan, const RunShape& shape);
+
+/// Errors: invalidPositions, when a refined coordinate overflowed.
+template <class Real>
+Result<void> checkFinite(std::span<const Real> points);
+
+/// Wall-clock milliseconds between calls.
+class Stopwatch {
+ public:
+  double lap();
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace honeycomb::Cli

@@ -1,0 +1,78 @@
+#include <limits>
+
+#include "workplace.h"
+
+namespace honeycomb::Test {
+namespace {
+
+using testing::HasSubstr;
+
+class BadCacheTest : public Workplace {
+ protected:
+  std::vector<std::string> bake(const std::string& frames, std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments{"bake", file("cube.obj", cubeObj()), path("out.pc2"), "--cache", frames};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  std::string cubeCache(int frames) const {
+    std::vector<float> numbers;
+    for (int f = 0; f < frames; ++f)
+      for (const float number : bentFrame(cubeObj(), f)) numbers.push_back(number);
+    return cache("in.pc2", 8, frames, numbers);
+  }
+};
+
+TEST_F(BadCacheTest, TruncatedIsRefusedNamingTheFrame) {
+  const std::string in = cubeCache(3);
+  std::filesystem::resize_file(in, 32 + 2 * 96 + 40);
+  EXPECT_REFUSED(bake(in), HasSubstr(in), HasSubstr("frame 2"));
+}
+
+TEST_F(BadCacheTest, AnotherPointCountIsRefusedNamingBoth) {
+  const std::string in = cache("in.pc2", 9, 1, std::vector<float>(27, 0.0F));
+  EXPECT_REFUSED(bake(in), HasSubstr(in), HasSubstr("9 points"), HasSubstr("8 vertices"));
+}
+
+TEST_F(BadCacheTest, NaNIsRefusedNamingFrameAndVertex) {
+  std::vector<float> numbers(5 * 24, 0.5F);
+  numbers[3 * 24 + 5 * 3 + 1] = std::numeric_limits<float>::quiet_NaN();
+  const std::string in = cache("in.pc2", 8, 5, numbers);
+  EXPECT_REFUSED(bake(in), HasSubstr(in), HasSubstr("vertex 5 of frame 3"));
+  EXPECT_REFUSED(bake(in, {"--backend", "serial", "--mesh", path("mesh.obj")}), HasSubstr("vertex 5 of frame 3"));
+  EXPECT_EQ(run(bake(in, {"--frames", "0:3"})).exitCode, 0);
+}
+
+TEST_F(BadCacheTest, TheFirstOfSeveralBadFramesIsNamed) {
+  std::vector<float> numbers(6 * 24, 0.5F);
+  numbers[2 * 24] = numbers[3 * 24 + 7] = std::numeric_limits<float>::infinity();
+  EXPECT_REFUSED(bake(cache("in.pc2", 8, 6, numbers), {"--threads", "4"}), HasSubstr("vertex 0 of frame 2"));
+}
+
+TEST_F(BadCacheTest, OverflowIsRefusedNamingTheFrame) {
+  std::vector<float> numbers(2 * 24, 0.5F);
+  for (std::size_t i = 24; i < 48; ++i) numbers[i] = 3e38F;
+  EXPECT_REFUSED(bake(cache("in.pc2", 8, 2, numbers)), HasSubstr("frame 1"), HasSubstr("overflows"));
+}
+
+TEST_F(BadCacheTest, GarbageIsRefused) {
+  EXPECT_REFUSED(bake(file("in.pc2", "not a point cache, though long enough for a header")), HasSubstr("in.pc2"));
+  EXPECT_REFUSED(bake(file("in.pc2", "")), HasSubstr("in.pc2"));
+  EXPECT_REFUSED(bake(path("none.pc2")), HasSubstr("none.pc2"));
+}
+
+TEST_F(BadCacheTest, NoCacheAndUnknownFormatsAreRefused) {
+  const std::string in = file("cube.obj", cubeObj());
+  EXPECT_REFUSED((std::vector<std::string>{"bake", in, path("out.pc2")}), HasSubstr("--cache"));
+  EXPECT_REFUSED((std::vector<std::string>{"bake", in, path("out.pc2"), "--cache", file("in.mdd", "x")}),
+                 HasSubstr(".pc2"));
+  EXPECT_REFUSED((std::vector<std::string>{"bake", in, path("out.mdd"), "--cache", cubeCache(1)}), HasSubstr(".pc2"));
+}
+
+TEST_F(BadCacheTest, FrameRangesOutsideTheCacheAreRefused) {
+  const std::string in = cubeCache(4);
+  for (const std::string range : {"4:5", "2:2", "3:1", "0:5", "x", "1", "-1:2", "1:2:3"})
+    EXPECT_REFUSED(bake(in, {"--frames", range}), HasSubstr("--frames " + range), HasSubstr("a:b"));
+}
+
+}  // namespace
+}  // namespace honeycomb::Test

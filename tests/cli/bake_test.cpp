@@ -1,0 +1,108 @@
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "io/obj.h"
+#include "io/pc2.h"
+#include "workplace.h"
+
+namespace honeycomb::Test {
+namespace {
+
+class BakeTest : public Workplace {
+ protected:
+  std::string cacheOf(const std::string& obj, int frames, int points) const {
+    std::vector<float> numbers;
+    for (int f = 0; f < frames; ++f)
+      for (const float number : bentFrame(obj, f)) numbers.push_back(number);
+    return cache("in.pc2", points, frames, numbers);
+  }
+  void expectBaked(const std::vector<std::string>& arguments) const {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_EQ(outcome.out, "");
+  }
+  /// The positions that `honeycomb refine` gives for the OBJ with other positions.
+  std::vector<float> refinedAlone(const std::string& obj, const std::vector<float>& positions,
+                                  const std::string& levels) const {
+    expectBaked(
+        {"refine", file("frame.obj", withPositions(obj, positions)), path("frame_out.obj"), "--levels", levels});
+    const auto mesh = Io::readObj(path("frame_out.obj"));
+    return {mesh->positions.begin(), mesh->positions.end()};
+  }
+  std::vector<float> bakedFrame(const std::string& name, int f) const {
+    const auto reader = Io::Pc2Reader::open(path(name));
+    if (!reader) return {};
+    const auto frame = reader->frame(f);
+    return {frame->begin(), frame->end()};
+  }
+};
+
+TEST_F(BakeTest, EachFrameEqualsThatFrameRefinedAlone) {
+  const std::string obj = torusObj(10);
+  const std::string in = file("torus.obj", obj), frames = cacheOf(obj, 7, 100);
+  for (const std::string backend : {"serial", "tbb"}) {
+    expectBaked(
+        {"bake", in, path("out.pc2"), "--cache", frames, "--levels", "3", "--backend", backend, "--threads", "3"});
+    for (int f = 0; f < 7; ++f)
+      EXPECT_TRUE(bakedFrame("out.pc2", f) == refinedAlone(obj, bentFrame(obj, f), "3")) << backend << ", frame " << f;
+  }
+}
+
+TEST_F(BakeTest, BorderedMeshesBakeAlike) {
+  const std::string obj = gridObj(6);
+  expectBaked({"bake", file("grid.obj", obj), path("out.pc2"), "--cache", cacheOf(obj, 3, 49), "--levels", "3"});
+  for (int f = 0; f < 3; ++f) EXPECT_TRUE(bakedFrame("out.pc2", f) == refinedAlone(obj, bentFrame(obj, f), "3"));
+}
+
+TEST_F(BakeTest, HeaderKeepsTheTimesOfTheFramesBaked) {
+  const std::string in = file("cube.obj", cubeObj()), frames = cacheOf(cubeObj(), 9, 8);
+  expectBaked({"bake", in, path("all.pc2"), "--cache", frames});
+  expectBaked({"bake", in, path("some.pc2"), "--cache", frames, "--frames", "3:7"});
+  const auto all = Io::Pc2Reader::open(path("all.pc2")), some = Io::Pc2Reader::open(path("some.pc2"));
+  ASSERT_TRUE(all && some);
+  EXPECT_EQ(all->info().pointCount, 72);
+  EXPECT_EQ(all->info().frameCount, 9);
+  EXPECT_EQ(all->info().start, 1.5F);
+  EXPECT_EQ(all->info().rate, 0.5F);
+  EXPECT_EQ(some->info().frameCount, 4);
+  EXPECT_EQ(some->info().start, 3.0F);
+  for (int f = 3; f < 7; ++f) EXPECT_EQ(bakedFrame("some.pc2", f - 3), bakedFrame("all.pc2", f));
+}
+
+TEST_F(BakeTest, OpenRangesReachToTheEnds) {
+  const std::string in = file("cube.obj", cubeObj()), frames = cacheOf(cubeObj(), 5, 8);
+  for (const auto& [range, count] : {std::pair<std::string, int>{"2:", 3}, {":2", 2}, {":", 5}}) {
+    expectBaked({"bake", in, path("out.pc2"), "--cache", frames, "--frames", range});
+    EXPECT_EQ(Io::Pc2Reader::open(path("out.pc2"))->info().frameCount, count) << range;
+  }
+}
+
+TEST_F(BakeTest, MeshIsTheFirstFrameWithTheConnectivity) {
+  const std::string obj = torusObj(8);
+  expectBaked(
+      {"bake", file("torus.obj", obj), path("out.pc2"), "--cache", cacheOf(obj, 3, 64), "--mesh", path("mesh.obj")});
+  refinedAlone(obj, bentFrame(obj, 0), "2");
+  EXPECT_EQ(read("mesh.obj"), read("frame_out.obj"));
+}
+
+TEST_F(BakeTest, CacheIsRemappedWhereVerticesAreDropped) {
+  const std::string loose = "v 9 9 9\n" + [] {
+    std::string text = cubeObj().substr(0, cubeObj().find('f')) + "v 7 7 7\n";
+    return text + "f 2 5 4 3\nf 6 7 8 9\nf 2 3 7 6\nf 3 4 8 7\nf 4 5 9 8\nf 5 2 6 9\n";
+  }();
+  expectBaked({"bake", file("loose.obj", loose), path("out.pc2"), "--cache", cacheOf(loose, 4, 10), "--drop-isolated"});
+  for (int f = 0; f < 4; ++f)
+    EXPECT_TRUE(bakedFrame("out.pc2", f) == refinedAlone(cubeObj(), bentFrame(cubeObj(), f), "2")) << f;
+}
+
+TEST_F(BakeTest, JsonSummaryCountsFrames) {
+  const std::string in = file("cube.obj", cubeObj());
+  const Outcome outcome = run({"bake", in, path("out.pc2"), "--cache", cacheOf(cubeObj(), 5, 8), "--json"});
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("frames"), 5);
+  EXPECT_EQ(json.at("vertices"), 72);
+}
+
+}  // namespace
+}  // namespace honeycomb::Test

@@ -1,0 +1,78 @@
+#include "run_program.h"
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+namespace honeycomb::Test {
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+[[noreturn]] void become(const std::vector<std::string>& arguments, const RunOptions& options, int out, int err) {
+  dup2(out, STDOUT_FILENO);
+  dup2(err, STDERR_FILENO);
+  for (const auto& variable : options.environment) setenv(variable.first.c_str(), variable.second.c_str(), 1);
+  if (options.fileSizeLimit >= 0) {
+    rlimit limit{};
+    getrlimit(RLIMIT_FSIZE, &limit);
+    limit.rlim_cur = static_cast<rlim_t>(options.fileSizeLimit);
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  std::vector<char*> argv{const_cast<char*>(HONEYCOMB_PROGRAM)};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  execv(HONEYCOMB_PROGRAM, argv.data());
+  _exit(127);
+}
+
+std::string contents(std::FILE* file) {
+  std::string text;
+  std::rewind(file);
+  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) text += static_cast<char>(c);
+  return text;
+}
+
+}  // namespace
+
+Outcome run(const std::vector<std::string>& arguments, const RunOptions& options) {
+  const File out(std::tmpfile()), err(std::tmpfile());
+  const pid_t child = fork();
+  if (child == 0) become(arguments, options, fileno(out.get()), fileno(err.get()));
+  Outcome outcome = wait(child);
+  outcome.out = contents(out.get());
+  outcome.err = contents(err.get());
+  return outcome;
+}
+
+pid_t start(const std::vector<std::string>& arguments) {
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  const pid_t child = fork();
+  if (child == 0) become(arguments, {}, nowhere, nowhere);
+  close(nowhere);
+  return child;
+}
+
+Outcome wait(pid_t child) {
+  int status = 0;
+  waitpid(child, &status, 0);
+  Outcome outcome;
+  if (WIFEXITED(status)) outcome.exitCode = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
+  return outcome;
+}
+
+bool isOneErrorLine(const std::string& err) {
+  return err.starts_with("error: ") && err.ends_with('\n') && std::count(err.begin(), err.end(), '\n') == 1;
+}
+
+}  // namespace honeycomb::Test

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace honeycomb::Test {
+
+/// How a run of `honeycomb` ended.
+struct Outcome {
+  int exitCode = -1;  ///< -1: it died of a signal
+  int signal = 0;
+  std::string out;  ///< standard output
+  std::string err;  ///< standard error
+};
+
+/// How to run it.
+struct RunOptions {
+  std::vector<std::pair<std::string, std::string>> environment;  ///< set on top of the caller's
+  long fileSizeLimit = -1;                                       ///< bytes a file may get (RLIMIT_FSIZE); -1: any
+};
+
+/// Runs the built program to its end. Its stderr is no terminal, so it must say nothing there but errors.
+Outcome run(const std::vector<std::string>& arguments, const RunOptions& options = {});
+
+/// Starts it and leaves it running; output is thrown away. wait() collects it.
+pid_t start(const std::vector<std::string>& arguments);
+Outcome wait(pid_t child);
+
+/// Does stderr hold exactly one line that begins with "error: "?
+bool isOneErrorLine(const std::string& err);
+
+}  // namespace honeycomb::Test

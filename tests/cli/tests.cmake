@@ -1,0 +1,31 @@
+find_package(nlohmann_json 3.11 REQUIRED)
+
+add_library(cli_test_support OBJECT
+  ${CMAKE_CURRENT_LIST_DIR}/run_program.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/workplace.cpp)
+target_link_libraries(cli_test_support PUBLIC honeycomb_compile honeycomb_sanitize fmt::fmt
+                                       PRIVATE honeycomb_warnings GTest::gtest GTest::gmock)
+target_compile_definitions(cli_test_support PRIVATE HONEYCOMB_PROGRAM="$<TARGET_FILE:honeycomb>")
+
+# The built program, run on real files. Under the thread sanitizer too: a bake has frames in flight on all threads.
+honeycomb_test(cli_test
+  LABELS threads
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/bad_cache_test.cpp
+          ${CMAKE_CURRENT_LIST_DIR}/bad_mesh_test.cpp
+          ${CMAKE_CURRENT_LIST_DIR}/bad_option_test.cpp
+          ${CMAKE_CURRENT_LIST_DIR}/bad_output_test.cpp
+          ${CMAKE_CURRENT_LIST_DIR}/bake_test.cpp
+          ${CMAKE_CURRENT_LIST_DIR}/console_test.cpp
+          ${CMAKE_CURRENT_LIST_DIR}/convert_test.cpp
+          ${CMAKE_CURRENT_LIST_DIR}/info_test.cpp
+          ${CMAKE_CURRENT_LIST_DIR}/refine_test.cpp
+  LIBRARIES honeycomb::cli cli_test_support nlohmann_json::nlohmann_json)
+add_dependencies(cli_test honeycomb)
+
+if(HONEYCOMB_VULKAN)
+  honeycomb_test(cli_vulkan_test
+    LABELS vulkan
+    SOURCES ${CMAKE_CURRENT_LIST_DIR}/vulkan_test.cpp
+    LIBRARIES cli_test_support nlohmann_json::nlohmann_json)
+  add_dependencies(cli_vulkan_test honeycomb)
+endif()

@@ -1,0 +1,72 @@
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "workplace.h"
+
+namespace honeycomb::Test {
+namespace {
+
+using testing::HasSubstr;
+
+const RunOptions kNoDevice{{{"VK_ICD_FILENAMES", "/nonexistent"}, {"VK_DRIVER_FILES", "/nonexistent"}}, -1};
+
+class VulkanBackendTest : public Workplace {
+ protected:
+  std::string frames(const std::string& obj, int points) const {
+    std::vector<float> numbers;
+    for (int f = 0; f < 3; ++f)
+      for (const float number : bentFrame(obj, f)) numbers.push_back(number);
+    return cache("in.pc2", points, 3, numbers);
+  }
+  bool hasDevice() const { return !nlohmann::json::parse(run({"info", "--json"}).out).at("vulkan_devices").empty(); }
+};
+
+TEST_F(VulkanBackendTest, WithoutADeviceOneLineSaysWhatToDo) {
+  const std::string in = file("cube.obj", cubeObj());
+  const Outcome outcome = run({"refine", in, path("out.obj"), "--backend", "vulkan"}, kNoDevice);
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_TRUE(isOneErrorLine(outcome.err)) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("Vulkan"));
+  EXPECT_THAT(outcome.err, HasSubstr("--backend tbb"));
+  EXPECT_THAT(listing(), testing::ElementsAre("cube.obj"));
+}
+
+TEST_F(VulkanBackendTest, AutoNeedsNoDevice) {
+  const Outcome outcome = run({"refine", file("cube.obj", cubeObj()), path("out.obj")}, kNoDevice);
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(VulkanBackendTest, InfoSaysThatThereIsNoDevice) {
+  const Outcome outcome = run({"info", "--json"}, kNoDevice);
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_TRUE(nlohmann::json::parse(outcome.out).at("vulkan_devices").empty());
+}
+
+TEST_F(VulkanBackendTest, FilesAreTheSameAsTheCpus) {
+  if (!hasDevice()) GTEST_SKIP() << "no Vulkan device";
+  for (const std::string& in : {file("torus.obj", torusObj(20)), file("grid.obj", gridObj(7))}) {
+    for (const std::string backend : {"serial", "vulkan"}) {
+      const Outcome outcome =
+          run({"refine", in, path(backend + ".obj"), "--levels", "4", "--normals", "exact", "--backend", backend});
+      EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+      EXPECT_EQ(outcome.err, "");
+    }
+    EXPECT_TRUE(read("serial.obj") == read("vulkan.obj")) << in;
+  }
+}
+
+TEST_F(VulkanBackendTest, BakesAreTheSameAsTheCpus) {
+  if (!hasDevice()) GTEST_SKIP() << "no Vulkan device";
+  const std::string in = file("torus.obj", torusObj(12)), cacheFile = frames(torusObj(12), 144);
+  for (const std::string backend : {"tbb", "vulkan"}) {
+    const Outcome outcome =
+        run({"bake", in, path(backend + ".pc2"), "--cache", cacheFile, "--levels", "3", "--backend", backend});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+  }
+  EXPECT_TRUE(read("tbb.pc2") == read("vulkan.pc2"));
+}
+
+}  // namespace
+}  // namespace honeycomb::Test
