@@ -1,4 +1,3 @@
-find_package(PNG REQUIRED)
 honeycomb_test(io_tests
   LABELS threads
   SOURCES

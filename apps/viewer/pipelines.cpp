@@ -1,0 +1,176 @@
+#include "apps/viewer/pipelines.h"
+
+#include <array>
+
+#include "apps/viewer/passes.h"
+#include "apps/viewer/shader_code.h"
+
+namespace honeycomb::Viewer {
+namespace {
+
+Owned<VkDescriptorSetLayout> makeSetLayout(Maker& make, const Gpu& gpu,
+                                           std::span<const VkDescriptorSetLayoutBinding> bindings) {
+  auto info = structure<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
+  info.bindingCount = static_cast<std::uint32_t>(bindings.size());
+  info.pBindings = bindings.data();
+  return make.own(gpu.call.vkCreateDescriptorSetLayout, gpu.call.vkDestroyDescriptorSetLayout, info,
+                  "create a descriptor set layout");
+}
+
+Owned<VkDescriptorSetLayout> makeSceneSet(Maker& make, const Gpu& gpu) {
+  const VkShaderStageFlags both = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+  const std::array<VkDescriptorSetLayoutBinding, 2> bindings{
+      {{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, both, nullptr},
+       {1, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr}}};
+  return makeSetLayout(make, gpu, bindings);
+}
+
+Owned<VkDescriptorSetLayout> makePointSet(Maker& make, const Gpu& gpu) {
+  std::array<VkDescriptorSetLayoutBinding, kPointBuffers> bindings{};
+  for (std::uint32_t i = 0; i < kPointBuffers; ++i) {
+    bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_VERTEX_BIT, nullptr};
+  }
+  return makeSetLayout(make, gpu, bindings);
+}
+
+Owned<VkPipelineLayout> makeLayout(Maker& make, const Gpu& gpu, const Pipelines& pipelines) {
+  const std::array sets{pipelines.sceneSet.get(), pipelines.pointSet.get()};
+  const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(PointPush)};
+  auto info = structure<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
+  info.setLayoutCount = static_cast<std::uint32_t>(sets.size());
+  info.pSetLayouts = sets.data();
+  info.pushConstantRangeCount = 1;
+  info.pPushConstantRanges = &push;
+  return make.own(gpu.call.vkCreatePipelineLayout, gpu.call.vkDestroyPipelineLayout, info, "create a pipeline layout");
+}
+
+Owned<VkShaderModule> makeModule(Maker& make, const Gpu& gpu, std::span<const std::uint32_t> code) {
+  auto info = structure<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
+  info.codeSize = code.size_bytes();
+  info.pCode = code.data();
+  return make.own(gpu.call.vkCreateShaderModule, gpu.call.vkDestroyShaderModule, info, "load a shader");
+}
+
+/// In what our pipelines differ.
+struct PipelineChoice {
+  std::span<const std::uint32_t> vertexCode;
+  std::span<const std::uint32_t> fragmentCode;  ///< empty: depth only
+  VkRenderPass pass = VK_NULL_HANDLE;
+  VkSampleCountFlagBits samples = kSamples;
+  bool depth = true;
+  float slopeBias = 0;
+};
+
+VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, VkShaderModule module) {
+  auto info = structure<VkPipelineShaderStageCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO);
+  info.stage = which;
+  info.module = module;
+  info.pName = "main";
+  return info;
+}
+
+VkPipelineRasterizationStateCreateInfo rasterization(const PipelineChoice& choice) {
+  auto raster =
+      structure<VkPipelineRasterizationStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO);
+  raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
+  raster.lineWidth = 1;
+  raster.depthBiasEnable = choice.slopeBias > 0 ? VK_TRUE : VK_FALSE;
+  raster.depthBiasConstantFactor = 1;
+  raster.depthBiasSlopeFactor = choice.slopeBias;
+  return raster;
+}
+
+VkPipelineDepthStencilStateCreateInfo depthState(bool enabled) {
+  auto depth =
+      structure<VkPipelineDepthStencilStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO);
+  depth.depthTestEnable = enabled ? VK_TRUE : VK_FALSE;
+  depth.depthWriteEnable = depth.depthTestEnable;
+  depth.depthCompareOp = VK_COMPARE_OP_LESS;
+  return depth;
+}
+
+/// The states of a pipeline that point at one another; stays where it was made.
+struct FixedState {
+  // Points are pulled from storage buffers by index; no vertex input.
+  VkPipelineVertexInputStateCreateInfo input =
+      structure<VkPipelineVertexInputStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
+  VkPipelineInputAssemblyStateCreateInfo assembly =
+      structure<VkPipelineInputAssemblyStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO);
+  VkPipelineViewportStateCreateInfo viewport =
+      structure<VkPipelineViewportStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO);
+  VkPipelineRasterizationStateCreateInfo raster;
+  VkPipelineMultisampleStateCreateInfo multisample =
+      structure<VkPipelineMultisampleStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO);
+  VkPipelineDepthStencilStateCreateInfo depth;
+  VkPipelineColorBlendAttachmentState opaque{};
+  VkPipelineColorBlendStateCreateInfo blend =
+      structure<VkPipelineColorBlendStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO);
+  std::array<VkDynamicState, 2> dynamicStates{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+  VkPipelineDynamicStateCreateInfo dynamic =
+      structure<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
+
+  explicit FixedState(const PipelineChoice& choice) : raster(rasterization(choice)), depth(depthState(choice.depth)) {
+    assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    viewport.viewportCount = 1;
+    viewport.scissorCount = 1;
+    multisample.rasterizationSamples = choice.samples;
+    opaque.colorWriteMask = 0xf;
+    blend.attachmentCount = choice.fragmentCode.empty() ? 0 : 1;
+    blend.pAttachments = &opaque;
+    dynamic.dynamicStateCount = static_cast<std::uint32_t>(dynamicStates.size());
+    dynamic.pDynamicStates = dynamicStates.data();
+  }
+  FixedState(const FixedState&) = delete;
+  FixedState& operator=(const FixedState&) = delete;
+};
+
+Owned<VkPipeline> makePipeline(Maker& make, const Gpu& gpu, VkPipelineLayout layout, const PipelineChoice& choice) {
+  const Owned<VkShaderModule> vertex = makeModule(make, gpu, choice.vertexCode);
+  Owned<VkShaderModule> fragment;
+  if (!choice.fragmentCode.empty()) fragment = makeModule(make, gpu, choice.fragmentCode);
+  if (!make.ok()) return {};
+  const std::array stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex.get()),
+                          stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment.get())};
+  const FixedState state(choice);
+  auto info = structure<VkGraphicsPipelineCreateInfo>(VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO);
+  info.stageCount = choice.fragmentCode.empty() ? 1 : 2;
+  info.pStages = stages.data();
+  info.pVertexInputState = &state.input;
+  info.pInputAssemblyState = &state.assembly;
+  info.pViewportState = &state.viewport;
+  info.pRasterizationState = &state.raster;
+  info.pMultisampleState = &state.multisample;
+  info.pDepthStencilState = &state.depth;
+  info.pColorBlendState = &state.blend;
+  info.pDynamicState = &state.dynamic;
+  info.layout = layout;
+  info.renderPass = choice.pass;
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  make.check(gpu.call.vkCreateGraphicsPipelines(gpu.device.device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+             "create a graphics pipeline");
+  return {gpu.device.device, pipeline, gpu.call.vkDestroyPipeline};
+}
+
+}  // namespace
+
+Pipelines makePipelines(Maker& make, const Gpu& gpu, VkFormat depthFormat) {
+  Pipelines made;
+  made.sceneSet = makeSceneSet(make, gpu);
+  made.pointSet = makePointSet(make, gpu);
+  made.layout = makeLayout(make, gpu, made);
+  made.shadowPass = makeShadowPass(make, gpu);
+  made.picturePass = makePicturePass(make, gpu, depthFormat);
+  // The bias keeps a surface out of its own shadow at the slopes where a texel spans much depth.
+  made.shadow =
+      makePipeline(make, gpu, made.layout.get(),
+                   {ShaderCode::shadowVertex(), {}, made.shadowPass.get(), VK_SAMPLE_COUNT_1_BIT, true, 1.5f});
+  made.backdrop = makePipeline(
+      make, gpu, made.layout.get(),
+      {ShaderCode::backdropVertex(), ShaderCode::backdropFragment(), made.picturePass.get(), kSamples, false, 0});
+  made.cells =
+      makePipeline(make, gpu, made.layout.get(),
+                   {ShaderCode::cellsVertex(), ShaderCode::cellsFragment(), made.picturePass.get(), kSamples, true, 0});
+  return made;
+}
+
+}  // namespace honeycomb::Viewer
