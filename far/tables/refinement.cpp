@@ -16,26 +16,53 @@ namespace {
 /// Past this the counts only say "too many"; growing them further would overflow.
 constexpr std::int64_t kCountable = std::int64_t{1} << 48;
 
-/// Bytes of the arrays of a level and its table: three numbers a half-edge, two a face, one a vertex, and an index an
-/// output; points of the boundary rule have rows of about six entries.
-std::int64_t levelBytes(const Census& census, bool refined) {
-  constexpr std::int64_t kLooseRow =
-      2 * sizeof(std::int32_t) + 6 * (sizeof(std::int32_t) + sizeof(double) + sizeof(float));
+/// Weights of the batches of whole faces, one set a side count: rows and their even and odd halves, or projections.
+std::int64_t weightCount(std::int64_t sides) {
+  return sides <= kLargestCirculant ? 2 * sides : 6 * sides + 2;
+}
+
+/// The weights a level's batches hold: for the side counts of the control faces, and behind the first level for those
+/// of the control vertices' faces too.
+struct BatchWeights {
+  std::int64_t first = 0, later = 0;
+};
+
+BatchWeights batchWeights(const Topology& control) {
+  BatchWeights weights;
+  for (const FaceRun& run : control.runs()) weights.first += weightCount(run.sides);
+  std::vector<std::uint8_t> seen;
+  weights.later = weights.first;
+  for (std::int32_t v = 0; v < control.vertexCount(); ++v) {
+    const std::size_t faces = at(control.facesAt(v));
+    if (faces >= seen.size()) seen.resize(faces + 1, 0);
+    if (seen[faces] == 0) weights.later += weightCount(2 * static_cast<std::int64_t>(faces));
+    seen[faces] = 1;
+  }
+  return weights;
+}
+
+/// Bytes of the arrays of a level and its table, about: three numbers a half-edge, two a face, one a vertex, an index
+/// an output and the weights; points of the boundary rule have rows of about six entries.
+std::int64_t levelBytes(const Census& census, std::int64_t weights) {
+  constexpr std::int64_t kWeight = sizeof(double) + sizeof(float);
+  constexpr std::int64_t kLooseRow = 2 * sizeof(std::int32_t) + 6 * (sizeof(std::int32_t) + kWeight);
   const std::int64_t topology =
       12 * census.halfEdges + 8 * census.faces + 4 * census.vertices + 5 * census.boundaryEdges;
   const std::int64_t tags = census.boundaryEdges > 0 ? census.vertices : 0;
+  if (weights == 0) return topology + tags;
   const std::int64_t table = 4 * census.vertices + kLooseRow * std::min(census.boundaryEdges * 3, census.vertices);
-  return topology + tags + (refined ? table : 0);
+  return topology + tags + table + kWeight * weights;
 }
 
-LevelCounts counts(const Census& census, bool refined) {
+/// `weights`: of the level's table; none at level 0.
+LevelCounts counts(const Census& census, std::int64_t weights) {
   LevelCounts c;
   c.vertices = census.vertices;
   c.edges = census.edges;
   c.faces = census.faces;
   c.halfEdges = census.halfEdges;
   c.boundaryEdges = census.boundaryEdges;
-  c.bytes = levelBytes(census, refined);
+  c.bytes = levelBytes(census, weights);
   c.exact = census.exact;
   return c;
 }
@@ -47,8 +74,8 @@ Census grow(const Scheme& scheme, const Census& parent) {
   return child;
 }
 
-/// An upper bound of what refine() holds at its peak: all levels, the scratch of the split that makes the largest, and
-/// with limits the child level and its rows.
+/// About what refine() holds at its peak: all levels, the scratch of the split that makes the largest, and with limits
+/// the rows that read the child level.
 std::int64_t peakBytes(const std::vector<LevelCounts>& levels, bool limits) {
   std::int64_t bytes = 0;
   for (const LevelCounts& level : levels) bytes += level.bytes;
@@ -83,10 +110,11 @@ Result<void> checkSize(const Topology& control, std::span<const Scheme> perLevel
 
 std::vector<LevelCounts> predict(const Topology& control, std::span<const Scheme> perLevel) {
   Census census = takeCensus(control);
-  std::vector<LevelCounts> levels{counts(census, false)};
+  const BatchWeights weights = batchWeights(control);
+  std::vector<LevelCounts> levels{counts(census, 0)};
   for (const Scheme& scheme : perLevel) {
     census = grow(scheme, census);
-    levels.push_back(counts(census, true));
+    levels.push_back(counts(census, levels.size() == 1 ? weights.first : weights.later));
   }
   return levels;
 }

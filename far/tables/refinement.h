@@ -78,7 +78,7 @@ struct LevelCounts {
   std::int64_t bytes = 0;  ///< topology and table of this level
   bool exact = true;       ///< false: an upper bound (the erosion of `drop` and `eq16` depends on the boundary's shape)
 };
-/// Counts of levels 0..levels; never allocates more than the result.
+/// Counts of levels 0..perLevel.size(), without building any.
 std::vector<LevelCounts> predict(const Topology& control, std::span<const Scheme> perLevel);
 
 }  // namespace honeycomb::Far

@@ -30,13 +30,14 @@ Result<void> checkRange(const VulkanRange& range, std::uint64_t needed, std::uin
     return fail(ErrorCode::invalidOption, fmt::format("the table needs a buffer for {}, none is given", what));
   }
   if (range.size < needed) {
-    return fail(ErrorCode::invalidOption, fmt::format("the buffer for {} has {} bytes, the table needs {}: make it larger or "
-                                                      "check the descriptor",
-                                                      what, range.size, needed));
+    return fail(ErrorCode::invalidOption,
+                fmt::format("the buffer for {} has {} bytes, the table needs {}: make it larger or "
+                            "check the descriptor",
+                            what, range.size, needed));
   }
   if (range.offset % alignment != 0) {
-    return fail(ErrorCode::invalidOption, fmt::format("the buffer for {} begins at byte {}, which is no multiple of {}", what,
-                                                      range.offset, alignment));
+    return fail(ErrorCode::invalidOption, fmt::format("the buffer for {} begins at byte {}, which is no multiple of {}",
+                                                      what, range.offset, alignment));
   }
   return {};
 }
@@ -90,7 +91,8 @@ Result<void> VulkanBinding::makeSets() {
     std::vector<Command>& commands = phases_.emplace_back();
     for (const TableDispatch& one : phase) {
       const std::uint32_t place = places.at(Key{one.stage, one.dispatch.ranges});
-      commands.push_back({one.pipeline, (*sets)[place], one.dispatch.push, one.dispatch.groups, one.dispatch.groupRows});
+      commands.push_back(
+          {one.pipeline, (*sets)[place], one.dispatch.push, one.dispatch.groups, one.dispatch.groupRows});
     }
   }
   return {};
@@ -165,8 +167,8 @@ void VulkanBinding::barrier(VkCommandBuffer commands) const {
   memory.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
   memory.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
   memory.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
-  core_->vk().vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 1,
-                                   &memory, 0, nullptr, 0, nullptr);
+  core_->vk().vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                                   0, 1, &memory, 0, nullptr, 0, nullptr);
 }
 
 void VulkanBinding::record(VkCommandBuffer commands) const {
@@ -179,8 +181,10 @@ void VulkanBinding::record(VkCommandBuffer commands) const {
     first = false;
     for (const Command& one : phase) {
       vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, one.pipeline);
-      vk.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_->layout(), 0, 1, &one.set, 0, nullptr);
-      vk.vkCmdPushConstants(commands, pipelines_->layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(one.push), &one.push);
+      vk.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_->layout(), 0, 1, &one.set, 0,
+                                 nullptr);
+      vk.vkCmdPushConstants(commands, pipelines_->layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(one.push),
+                            &one.push);
       vk.vkCmdDispatch(commands, one.groups, one.groupRows, 1);
     }
   }

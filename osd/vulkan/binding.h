@@ -17,9 +17,9 @@ struct VulkanTargets {
   VulkanRange facePositions{}, faceNormals{};
 };
 
-/// A table bound to buffers: its descriptor sets and scratch memory, so that recording allocates nothing. May be recorded
-/// any number of times, in command buffers that run one after the other; for frames in flight make one for each.
-/// Must outlive the execution of what was recorded with it.
+/// A table bound to buffers: its descriptor sets and scratch memory, so that recording allocates nothing. May be
+/// recorded any number of times, in command buffers that run one after the other; for frames in flight make one for
+/// each. Must outlive the execution of what was recorded with it.
 class VulkanBinding {
  public:
   /// Errors: invalidOption for a missing, misaligned or short buffer; outOfMemory.

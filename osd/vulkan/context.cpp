@@ -62,12 +62,13 @@ Result<VulkanContext> VulkanContext::create(const VulkanContextOptions& options)
 
 Result<void> VulkanContext::chooseQueueFamily() {
   if (info_.apiVersion < VK_API_VERSION_1_2) {
-    return fail(ErrorCode::unsupported,
-                fmt::format("the Vulkan device '{}' is older than version 1.2: update its driver, or choose another device",
-                            info_.name));
+    return fail(
+        ErrorCode::unsupported,
+        fmt::format("the Vulkan device '{}' is older than version 1.2: update its driver, or choose another device",
+                    info_.name));
   }
-  const auto query = instance_->function<PFN_vkGetPhysicalDeviceQueueFamilyProperties>(
-      "vkGetPhysicalDeviceQueueFamilyProperties");
+  const auto query =
+      instance_->function<PFN_vkGetPhysicalDeviceQueueFamilyProperties>("vkGetPhysicalDeviceQueueFamilyProperties");
   std::uint32_t count = 0;
   query(device_.physicalDevice, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
@@ -81,8 +82,8 @@ Result<void> VulkanContext::chooseQueueFamily() {
     found = true;
   }
   if (!found) {
-    return fail(ErrorCode::noDevice, fmt::format("the Vulkan device '{}' has no compute queue: choose another device",
-                                                 info_.name));
+    return fail(ErrorCode::noDevice,
+                fmt::format("the Vulkan device '{}' has no compute queue: choose another device", info_.name));
   }
   return {};
 }
@@ -108,8 +109,8 @@ Result<void> VulkanContext::makeDevice(const VulkanContextOptions& options) {
   info.pQueueCreateInfos = &queue;
   info.enabledExtensionCount = static_cast<std::uint32_t>(options.deviceExtensions.size());
   info.ppEnabledExtensionNames = options.deviceExtensions.data();
-  const VkResult result = instance_->function<PFN_vkCreateDevice>("vkCreateDevice")(device_.physicalDevice, &info, nullptr,
-                                                                                    &device_.device);
+  const VkResult result = instance_->function<PFN_vkCreateDevice>("vkCreateDevice")(device_.physicalDevice, &info,
+                                                                                    nullptr, &device_.device);
   if (result != VK_SUCCESS) return vulkanFailure(result, "create a device");
   instance_->function<PFN_vkGetDeviceQueue>("vkGetDeviceQueue")(device_.device, device_.queueFamily, 0, &device_.queue);
   VkPhysicalDeviceProperties properties{};

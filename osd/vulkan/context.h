@@ -14,9 +14,9 @@ class VulkanInstance;
 class ValidationLog;
 
 struct VulkanContextOptions {
-  std::string device = "auto";                   ///< see chooseDevice
-  bool validation = false;                       ///< run under the validation layer with synchronization checks
-  std::vector<const char*> instanceExtensions{};   ///< more than the context needs itself, such as for a window
+  std::string device = "auto";                    ///< see chooseDevice
+  bool validation = false;                        ///< run under the validation layer with synchronization checks
+  std::vector<const char*> instanceExtensions{};  ///< more than the context needs itself, such as for a window
   std::vector<const char*> deviceExtensions{};
 };
 

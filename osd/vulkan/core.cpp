@@ -21,9 +21,10 @@ Result<VulkanLimits> limitsOf(const VkPhysicalDeviceLimits& device, const Vulkan
   if (options.maxWorkgroupsInRow != 0) limits.groupsInRow = std::min(limits.groupsInRow, options.maxWorkgroupsInRow);
   limits.groupRows = device.maxComputeWorkGroupCount[1];
   if (limits.pageBytes < 4 * limits.alignment) {
-    return fail(ErrorCode::invalidOption,
-                fmt::format("a storage buffer range of {} bytes is too small: {} is the least for this device's alignment",
-                            range, 4 * limits.alignment));
+    return fail(
+        ErrorCode::invalidOption,
+        fmt::format("a storage buffer range of {} bytes is too small: {} is the least for this device's alignment",
+                    range, 4 * limits.alignment));
   }
   return limits;
 }
@@ -33,19 +34,21 @@ constexpr std::uint32_t kStorageBuffers = kSourcePages + 6;
 
 Result<void> checkDevice(const VkPhysicalDeviceProperties& properties) {
   if (properties.apiVersion < VK_API_VERSION_1_2) {
-    return fail(ErrorCode::unsupported, fmt::format("the Vulkan device '{}' is older than version 1.2: update its driver, "
-                                                    "choose another device or use a CPU backend",
-                                                    properties.deviceName));
+    return fail(ErrorCode::unsupported,
+                fmt::format("the Vulkan device '{}' is older than version 1.2: update its driver, "
+                            "choose another device or use a CPU backend",
+                            properties.deviceName));
   }
   const VkPhysicalDeviceLimits& limits = properties.limits;
   const std::uint32_t buffers =
       std::min(limits.maxPerStageDescriptorStorageBuffers, limits.maxDescriptorSetStorageBuffers);
   if (buffers < kStorageBuffers || limits.maxComputeWorkGroupInvocations < kWorkgroupSize) {
-    return fail(ErrorCode::unsupported,
-                fmt::format("the Vulkan device '{}' binds {} storage buffers and runs {} invocations a workgroup, {} and {} are "
-                            "needed: choose another device or use a CPU backend",
-                            properties.deviceName, buffers, limits.maxComputeWorkGroupInvocations, kStorageBuffers,
-                            kWorkgroupSize));
+    return fail(
+        ErrorCode::unsupported,
+        fmt::format(
+            "the Vulkan device '{}' binds {} storage buffers and runs {} invocations a workgroup, {} and {} are "
+            "needed: choose another device or use a CPU backend",
+            properties.deviceName, buffers, limits.maxComputeWorkGroupInvocations, kStorageBuffers, kWorkgroupSize));
   }
   return {};
 }

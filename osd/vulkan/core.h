@@ -22,10 +22,10 @@ struct VulkanEvaluatorOptions {
 
 /// What the limits of a device mean for pages and dispatches.
 struct VulkanLimits {
-  std::uint64_t pageBytes = 0;      ///< a power of two; storage buffers are bound in ranges of at most this
-  std::uint64_t alignment = 0;      ///< of the offset of a bound range
-  std::uint32_t groupsInRow = 0;    ///< workgroups in x
-  std::uint32_t groupRows = 0;      ///< workgroups in y
+  std::uint64_t pageBytes = 0;    ///< a power of two; storage buffers are bound in ranges of at most this
+  std::uint64_t alignment = 0;    ///< of the offset of a bound range
+  std::uint32_t groupsInRow = 0;  ///< workgroups in x
+  std::uint32_t groupRows = 0;    ///< workgroups in y
   std::uint64_t pageNumbers() const { return pageBytes / sizeof(float); }
 };
 
@@ -46,7 +46,8 @@ struct VulkanCore {
 
   const VolkDeviceTable& vk() const { return functions.device; }
 
-  /// Errors: invalidOption for null handles and unusable limits, noDevice without a loader, unsupported below Vulkan 1.2.
+  /// Errors: invalidOption for null handles and unusable limits, noDevice without a loader, unsupported below
+  /// Vulkan 1.2.
   static Result<VulkanCore> create(const VulkanDevice& device, const VulkanEvaluatorOptions& options);
 };
 

@@ -6,12 +6,13 @@
 
 namespace honeycomb::Osd {
 
-/// A Vulkan device somebody owns: the caller's engine, or a VulkanContext. All handles outlive what is created from them.
+/// A Vulkan device somebody owns: the caller's engine, or a VulkanContext. All handles outlive what is created from
+/// them.
 struct VulkanDevice {
   VkInstance instance = VK_NULL_HANDLE;
   VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
   VkDevice device = VK_NULL_HANDLE;
-  VkQueue queue = VK_NULL_HANDLE;          ///< supports compute, and graphics where pictures are drawn
+  VkQueue queue = VK_NULL_HANDLE;  ///< supports compute, and graphics where pictures are drawn
   std::uint32_t queueFamily = 0;
 };
 

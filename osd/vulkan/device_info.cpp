@@ -13,11 +13,16 @@ namespace honeycomb::Osd {
 
 const char* deviceTypeName(VkPhysicalDeviceType type) {
   switch (type) {
-    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return "discrete";
-    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return "integrated";
-    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return "virtual";
-    case VK_PHYSICAL_DEVICE_TYPE_CPU: return "cpu";
-    default: return "other";
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+      return "discrete";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+      return "integrated";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+      return "virtual";
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+      return "cpu";
+    default:
+      return "other";
   }
 }
 
@@ -94,8 +99,9 @@ Result<std::size_t> chooseDevice(const std::vector<DeviceInfo>& devices, const s
   for (std::size_t i = 0; i < devices.size() && !wanted.empty(); ++i) {
     if (lower(devices[i].name).find(lower(wanted)) != std::string::npos) return i;
   }
-  return fail(ErrorCode::noDevice, fmt::format("no Vulkan device matches '{}': give 'auto', an index or a part of a name of {}",
-                                               wanted, namesOf(devices)));
+  return fail(ErrorCode::noDevice,
+              fmt::format("no Vulkan device matches '{}': give 'auto', an index or a part of a name of {}", wanted,
+                          namesOf(devices)));
 }
 
 }  // namespace honeycomb::Osd

@@ -14,12 +14,12 @@ namespace honeycomb::Osd {
 struct DeviceInfo {
   std::string name{};
   VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
-  std::uint32_t apiVersion = 0;                ///< as by VK_MAKE_API_VERSION
-  std::uint64_t maxStorageBufferRange = 0;     ///< bytes
-  std::uint64_t heapSize = 0;                  ///< bytes of the largest device-local heap
-  std::uint32_t subgroupSize = 0;              ///< invocations
+  std::uint32_t apiVersion = 0;             ///< as by VK_MAKE_API_VERSION
+  std::uint64_t maxStorageBufferRange = 0;  ///< bytes
+  std::uint64_t heapSize = 0;               ///< bytes of the largest device-local heap
+  std::uint32_t subgroupSize = 0;           ///< invocations
   std::uint32_t maxWorkgroupInvocations = 0;
-  std::uint32_t sharedMemorySize = 0;          ///< bytes a workgroup
+  std::uint32_t sharedMemorySize = 0;  ///< bytes a workgroup
 };
 
 /// "discrete", "integrated", "virtual", "cpu" or "other".

@@ -21,9 +21,10 @@ Result<VulkanEvaluator> VulkanEvaluator::create(const VulkanDevice& device, cons
 Result<VulkanTable> VulkanEvaluator::upload(const Far::Refinement& refinement, const VulkanTableOptions& options) {
   const std::int32_t last = options.lastLevel < 0 ? refinement.levelCount() : options.lastLevel;
   if (options.firstLevel < 0 || last <= options.firstLevel || last > refinement.levelCount()) {
-    return fail(ErrorCode::invalidOption, fmt::format("levels {} to {} of a refinement with levels 0 to {}: give a range within, "
-                                                      "of at least one step",
-                                                      options.firstLevel, last, refinement.levelCount()));
+    return fail(ErrorCode::invalidOption,
+                fmt::format("levels {} to {} of a refinement with levels 0 to {}: give a range within, "
+                            "of at least one step",
+                            options.firstLevel, last, refinement.levelCount()));
   }
   std::vector<const Far::LevelTable*> levels;
   for (std::int32_t k = options.firstLevel + 1; k <= last; ++k) levels.push_back(&refinement.level(k).table);
@@ -31,8 +32,8 @@ Result<VulkanTable> VulkanEvaluator::upload(const Far::Refinement& refinement, c
   return upload(levels, limits, options);
 }
 
-Result<VulkanTable> VulkanEvaluator::upload(std::span<const Far::LevelTable* const> levels, const Far::LimitTable* limits,
-                                            const VulkanTableOptions& options) {
+Result<VulkanTable> VulkanEvaluator::upload(std::span<const Far::LevelTable* const> levels,
+                                            const Far::LimitTable* limits, const VulkanTableOptions& options) {
   return buildTable(core_, *pipelines_, levels, limits, options);
 }
 

@@ -11,9 +11,10 @@
 
 namespace honeycomb::Osd {
 
-/// Applies tables by Vulkan compute on a device of the caller's, with function pointers of its own. Needs Vulkan 1.2 and
-/// no optional feature; a discrete GPU's memory is reached through staging. Bit-identical with the CPU evaluators where
-/// the device rounds division and square root correctly and keeps denormals (lavapipe does; Vulkan promises 2.5 ulp).
+/// Applies tables by Vulkan compute on a device of the caller's, with function pointers of its own. Needs Vulkan 1.2
+/// and no optional feature; a discrete GPU's memory is reached through staging. Bit-identical with the CPU evaluators
+/// where the device rounds division and square root correctly and keeps denormals (lavapipe does; Vulkan promises 2.5
+/// ulp).
 ///
 /// Copies share pipelines. Safe from several threads, but see upload().
 class VulkanEvaluator {
@@ -35,9 +36,9 @@ class VulkanEvaluator {
   /// Prepares a table to work on the caller's buffers: descriptor sets and scratch. Errors: see VulkanBinding.
   Result<VulkanBinding> bind(const VulkanTable& table, const VulkanTargets& targets) const;
 
-  /// Records the dispatches of all levels and limits, with one barrier between a level and the next. Only records: never
-  /// submits, allocates or updates. The command buffer must be in the recording state outside a render pass, of a family
-  /// with compute, and loses its bound compute pipeline, descriptor set 0 and push constants.
+  /// Records the dispatches of all levels and limits, with one barrier between a level and the next. Only records:
+  /// never submits, allocates or updates. The command buffer must be in the recording state outside a render pass, of a
+  /// family with compute, and loses its bound compute pipeline, descriptor set 0 and push constants.
   ///     before   the caller makes the control points visible to COMPUTE_SHADER / SHADER_READ, and sees that what used
   ///              the target buffers is done (an execution dependency on COMPUTE_SHADER)
   ///     after    results were written by COMPUTE_SHADER / SHADER_WRITE; the caller's barrier makes them visible

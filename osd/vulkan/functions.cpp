@@ -14,8 +14,9 @@ std::mutex& volkMutex() {
 
 Result<PFN_vkGetInstanceProcAddr> initializeVolk() {
   if (volkInitialize() != VK_SUCCESS) {
-    return fail(ErrorCode::noDevice,
-                "no Vulkan loader found: install libvulkan1 and a driver such as mesa-vulkan-drivers, or use a CPU backend");
+    return fail(
+        ErrorCode::noDevice,
+        "no Vulkan loader found: install libvulkan1 and a driver such as mesa-vulkan-drivers, or use a CPU backend");
   }
   return vkGetInstanceProcAddr;
 }
@@ -46,7 +47,8 @@ Result<VulkanFunctions> VulkanFunctions::load(VkInstance instance, VkDevice devi
                        functions.getPhysicalDeviceMemoryProperties);
   volkLoadDeviceTable(&functions.device, device);
   if (functions.getPhysicalDeviceProperties2 == nullptr || functions.device.vkCreateBuffer == nullptr) {
-    return fail(ErrorCode::unsupported, "the Vulkan instance must be of version 1.1 or later: update the Vulkan driver");
+    return fail(ErrorCode::unsupported,
+                "the Vulkan instance must be of version 1.1 or later: update the Vulkan driver");
   }
   return functions;
 }

@@ -25,8 +25,8 @@ struct Specialization {
 constexpr std::uint32_t kSpecializationCount = 8;
 static_assert(sizeof(Specialization) == kSpecializationCount * sizeof(std::uint32_t));
 
-/// Up to this many sides the loops of a kernel are unrolled and a circulant's weights are push constants. Unrolling grows
-/// with the square of the sides: at 64 lavapipe compiles for a minute.
+/// Up to this many sides the loops of a kernel are unrolled and a circulant's weights are push constants. Unrolling
+/// grows with the square of the sides: at 64 lavapipe compiles for a minute.
 constexpr std::int32_t kUnrolledSides = 16;
 
 /// The push constants of shaders/evaluate.glsl, which says what they are.
@@ -72,7 +72,7 @@ struct Dispatch {
   Specialization specialization;
   PushConstants push;
   BoundRanges ranges;
-  std::uint32_t groups = 1;     ///< in a row
+  std::uint32_t groups = 1;  ///< in a row
   std::uint32_t groupRows = 1;
 };
 

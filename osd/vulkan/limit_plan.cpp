@@ -23,8 +23,8 @@ class LimitPlanner {
  private:
   Result<void> planElements(const FrameBatch& batch, std::int64_t begin, std::int64_t end);
   std::vector<Window> windows(const StagePlanner& stage, bool wanted, std::int64_t begin, std::int64_t end) const;
-  Result<void> addDispatches(const Dispatch& dispatch, const std::vector<Window>& positions,
-                             const std::vector<Window>& normals);
+  void addDispatches(const Dispatch& dispatch, const std::vector<Window>& positions,
+                     const std::vector<Window>& normals);
 
   const StagePlanner& positions_;
   const StagePlanner& normals_;
@@ -36,8 +36,9 @@ class LimitPlanner {
 
 Result<std::vector<Dispatch>> LimitPlanner::plan() {
   for (const FrameBatch& batch : rows_.batches) {
-    const std::int64_t most = std::max<std::int64_t>(
-        1, std::min(positions_.sliceCapacity(sections_.indices) / batch.sides, positions_.sliceCapacity(sections_.elements)));
+    const std::int64_t most =
+        std::max<std::int64_t>(1, std::min(positions_.sliceCapacity(sections_.indices) / batch.sides,
+                                           positions_.sliceCapacity(sections_.elements)));
     for (std::int64_t begin = 0; begin < batch.count; begin += most) {
       const std::int64_t end = std::min<std::int64_t>(begin + most, batch.count);
       if (const auto planned = planElements(batch, begin, end); !planned) return tl::unexpected(planned.error());
@@ -76,14 +77,15 @@ Result<void> LimitPlanner::planElements(const FrameBatch& batch, std::int64_t be
   rangeOf(dispatch, Slot::records) = elements->range;
   if (const auto shaped = positions_.shape(dispatch, dispatch.push.count); !shaped) return shaped;
   const std::int64_t first = batch.firstElement + begin, past = batch.firstElement + end;
-  return addDispatches(dispatch, windows(positions_, layouts_.positions.has_value(), first, past),
-                       windows(normals_, layouts_.normals.has_value(), first, past));
+  addDispatches(dispatch, windows(positions_, layouts_.positions.has_value(), first, past),
+                windows(normals_, layouts_.normals.has_value(), first, past));
+  return {};
 }
 
 // Window k of the positions goes with window k of the normals; an element whose results lie in two different ones is
-// computed for each.
-Result<void> LimitPlanner::addDispatches(const Dispatch& dispatch, const std::vector<Window>& positions,
-                                         const std::vector<Window>& normals) {
+// computed for each. A result without a window k is bound to the other's, of which it may write nothing.
+void LimitPlanner::addDispatches(const Dispatch& dispatch, const std::vector<Window>& positions,
+                                 const std::vector<Window>& normals) {
   for (std::size_t w = 0; w < std::max(positions.size(), normals.size()); ++w) {
     Dispatch one = dispatch;
     if (w < positions.size()) positions_.bindTarget(one, positions[w]);
@@ -92,9 +94,10 @@ Result<void> LimitPlanner::addDispatches(const Dispatch& dispatch, const std::ve
       one.push.normalBegin = static_cast<std::uint32_t>(normals[w].begin);
       one.push.normalSize = static_cast<std::uint32_t>(normals[w].size);
     }
+    if (w >= positions.size()) rangeOf(one, Slot::target) = rangeOf(one, Slot::second);
+    if (w >= normals.size()) rangeOf(one, Slot::second) = rangeOf(one, Slot::target);
     dispatches_.push_back(one);
   }
-  return {};
 }
 
 }  // namespace

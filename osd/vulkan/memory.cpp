@@ -28,9 +28,12 @@ struct Wish {
 
 Wish wishFor(const VulkanCore& core, MemoryUse use) {
   switch (use) {
-    case MemoryUse::upload: return {kMappable, 0};
-    case MemoryUse::readback: return {kMappable, VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
-    default: break;
+    case MemoryUse::upload:
+      return {kMappable, 0};
+    case MemoryUse::readback:
+      return {kMappable, VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
+    default:
+      break;
   }
   VkMemoryPropertyFlags preferred = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
   if (sharesMemory(core)) preferred |= kMappable | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
@@ -54,9 +57,10 @@ std::optional<std::uint32_t> chooseType(const VulkanCore& core, std::uint32_t al
 
 Error outOfMemory(std::uint64_t bytes, std::uint64_t heap) {
   return {ErrorCode::outOfMemory,
-          fmt::format("out of Vulkan device memory: {} bytes asked for, the device's heap holds {} in all; refine fewer levels "
-                      "or use a CPU backend",
-                      bytes, heap)};
+          fmt::format(
+              "out of Vulkan device memory: {} bytes asked for, the device's heap holds {} in all; refine fewer levels "
+              "or use a CPU backend",
+              bytes, heap)};
 }
 
 // The size of the heap the memory type is taken from.
@@ -115,7 +119,8 @@ Result<VulkanBuffer> VulkanBuffer::create(const std::shared_ptr<const VulkanCore
   VkMemoryRequirements needs{};
   core->vk().vkGetBufferMemoryRequirements(core->device.device, buffer->get(), &needs);
   const auto type = chooseType(*core, needs.memoryTypeBits, wishFor(*core, use));
-  if (!type) return fail(ErrorCode::unsupported, "the Vulkan device has no memory that the host can map: choose another device");
+  if (!type)
+    return fail(ErrorCode::unsupported, "the Vulkan device has no memory that the host can map: choose another device");
   auto memory = allocate(*core, needs.size, *type);
   if (!memory) return tl::unexpected(memory.error());
   VkResult status = core->vk().vkBindBufferMemory(core->device.device, buffer->get(), memory->get(), 0);

@@ -21,9 +21,9 @@ struct VulkanRange {
 
 /// Who touches a buffer.
 enum class MemoryUse {
-  device,    ///< kernels; mapped as well where the device shares its memory with the host
-  upload,    ///< written by the host, read by copies; mapped
-  readback   ///< written by copies, read by the host; mapped, cached where there is such memory
+  device,   ///< kernels; mapped as well where the device shares its memory with the host
+  upload,   ///< written by the host, read by copies; mapped
+  readback  ///< written by copies, read by the host; mapped, cached where there is such memory
 };
 
 /// A buffer with memory of its own, persistently mapped where the host may touch it. Host memory is coherent.
@@ -41,9 +41,7 @@ class VulkanBuffer {
   /// The bytes of a mapped buffer.
   std::span<std::byte> bytes() const { return {data_, data_ == nullptr ? 0 : static_cast<std::size_t>(size_)}; }
   /// The numbers of a mapped buffer.
-  std::span<float> numbers() const {
-    return {reinterpret_cast<float*>(data_), bytes().size() / sizeof(float)};
-  }
+  std::span<float> numbers() const { return {reinterpret_cast<float*>(data_), bytes().size() / sizeof(float)}; }
 
  private:
   std::shared_ptr<const VulkanCore> core_;

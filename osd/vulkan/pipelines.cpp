@@ -15,12 +15,18 @@ namespace {
 
 std::span<const std::uint32_t> kernelCode(Kernel kernel) {
   switch (kernel) {
-    case Kernel::circulant: return kCirculantComp;
-    case Kernel::projectedBlocks: return kProjectedBlocksComp;
-    case Kernel::projectedSums: return kProjectedSumsComp;
-    case Kernel::projected: return kProjectedComp;
-    case Kernel::loose: return kLooseComp;
-    default: return kLimitsComp;
+    case Kernel::circulant:
+      return kCirculantComp;
+    case Kernel::projectedBlocks:
+      return kProjectedBlocksComp;
+    case Kernel::projectedSums:
+      return kProjectedSumsComp;
+    case Kernel::projected:
+      return kProjectedComp;
+    case Kernel::loose:
+      return kLooseComp;
+    default:
+      return kLimitsComp;
   }
 }
 

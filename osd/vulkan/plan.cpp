@@ -87,7 +87,8 @@ Result<void> LevelPlanner::planFaces(const CirculantBatch& batch, FaceRange rang
     dispatch.push.firstIndex = indices->first + static_cast<std::uint32_t>((faces.begin - range.begin) * sides);
     dispatch.push.firstWeight = weights->first;
     dispatch.push.sides = static_cast<std::uint32_t>(sides);
-    if (sides <= kUnrolledSides) std::copy_n(table_.weightsSingle.begin() + batch.firstForm, sides, dispatch.push.weights.begin());
+    if (sides <= kUnrolledSides)
+      std::copy_n(table_.weightsSingle.begin() + batch.firstForm, sides, dispatch.push.weights.begin());
     dispatch.push.firstOutput = static_cast<std::uint32_t>(batch.firstOutput + faces.begin * sides);
     rangeOf(dispatch, Slot::indices) = indices->range;
     rangeOf(dispatch, Slot::weights) = weights->range;

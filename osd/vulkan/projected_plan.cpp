@@ -31,7 +31,9 @@ struct Group {
 std::int64_t weightCount(const ProjectedFace& face) {
   return 2 + 3 * (std::int64_t{face.corners} + std::int64_t{face.outputs});
 }
-std::int64_t blockCount(const ProjectedFace& face) { return (face.corners + kProjectionBlock - 1) / kProjectionBlock; }
+std::int64_t blockCount(const ProjectedFace& face) {
+  return (face.corners + kProjectionBlock - 1) / kProjectionBlock;
+}
 std::int64_t taskCount(const ProjectedFace& face) {
   return (face.outputs + std::int64_t{kWorkgroupSize} - 1) / kWorkgroupSize;
 }
@@ -100,8 +102,8 @@ Section ProjectedPlanner::addRecords(const Group& group) {
     const ProjectedFace& one = face(f);
     for (const std::int64_t entry :
          {std::int64_t{one.corners}, std::int64_t{one.outputs}, std::int64_t{one.firstCorner},
-          one.firstIndex - group.indices.begin, std::int64_t{one.firstOutput}, one.firstWeight - group.weights.begin, block,
-          blockCount(one)}) {
+          one.firstIndex - group.indices.begin, std::int64_t{one.firstOutput}, one.firstWeight - group.weights.begin,
+          block, blockCount(one)}) {
       records.push_back(static_cast<std::uint32_t>(entry));
     }
     block += blockCount(one);
@@ -183,7 +185,8 @@ Result<void> ProjectedPlanner::planGroup(const Group& group) {
 }
 
 Result<void> ProjectedPlanner::planOutputs(const Group& group, Dispatch dispatch) {
-  if (const auto shaped = stage_.shape(dispatch, std::uint64_t{dispatch.push.count} * kWorkgroupSize); !shaped) return shaped;
+  if (const auto shaped = stage_.shape(dispatch, std::uint64_t{dispatch.push.count} * kWorkgroupSize); !shaped)
+    return shaped;
   for (const Window& window : stage_.windows(stage_.target(), group.outputs.begin, group.outputs.end - 1)) {
     stage_.bindTarget(dispatch, window);
     plan_.outputs.push_back(dispatch);
@@ -193,8 +196,8 @@ Result<void> ProjectedPlanner::planOutputs(const Group& group, Dispatch dispatch
 
 }  // namespace
 
-Result<ProjectedPlan> planProjected(const StagePlanner& stage, std::span<const ProjectedFace> faces, const Section& indices,
-                                    const Section& weights, TableImage& image) {
+Result<ProjectedPlan> planProjected(const StagePlanner& stage, std::span<const ProjectedFace> faces,
+                                    const Section& indices, const Section& weights, TableImage& image) {
   return ProjectedPlanner(stage, faces, indices, weights, image).plan();
 }
 

@@ -101,8 +101,8 @@ void VulkanSession::recordOutput() const {
   bool staged = false;
   for (std::size_t i = 1; i < kCallerBuffers; ++i) staged = staged || buffers_[i].staged();
   if (staged) {
-    memoryBarrier(*core_, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT,
-                  VK_ACCESS_TRANSFER_READ_BIT);
+    memoryBarrier(*core_, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT,
+                  VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_READ_BIT);
     for (std::size_t i = 1; i < kCallerBuffers; ++i) {
       if (buffers_[i].staged()) copyWhole(*core_, commands, buffers_[i].range(), buffers_[i].hostRange());
     }

@@ -10,8 +10,8 @@
 namespace honeycomb::Osd {
 
 /// Control points in, refined points and limits out, frame after frame: for those who don't record commands themselves.
-/// Owns the table, its buffers (mapped all the time) and a command buffer that is recorded once; a frame is one submit and
-/// one wait, and allocates nothing.
+/// Owns the table, its buffers (mapped all the time) and a command buffer that is recorded once; a frame is one submit
+/// and one wait, and allocates nothing.
 ///
 /// Uses the device's queue, which nobody else may use during create() and run(). Belongs to one thread at a time.
 class VulkanSession {
@@ -33,8 +33,8 @@ class VulkanSession {
   std::span<const float> facePositions() const { return numbers(PointBuffer::facePositions); }
   std::span<const float> faceNormals() const { return numbers(PointBuffer::faceNormals); }
 
-  /// Copies the points in, evaluates, copies the refined points out. Both must have the sizes of control() and refined():
-  /// invalidOption otherwise.
+  /// Copies the points in, evaluates, copies the refined points out. Both must have the sizes of control() and
+  /// refined(): invalidOption otherwise.
   Result<void> refine(std::span<const float> points, std::span<float> refined);
 
   /// The results on the device, usable as storage and as vertex buffers, so that a renderer reads them in place. After

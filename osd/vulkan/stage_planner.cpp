@@ -11,14 +11,17 @@ Result<void> StagePlanner::check() const {
   constexpr std::uint64_t kNumbers = std::uint64_t{1} << 32U;
   const std::uint64_t most = std::max(sourceBytes(), targetBytes()) / sizeof(float);
   if (most >= kNumbers) {
-    return fail(ErrorCode::tooLarge,
-                fmt::format("a level of {} numbers passes the 2^32 that the Vulkan kernels can count: use a CPU backend", most));
+    return fail(
+        ErrorCode::tooLarge,
+        fmt::format("a level of {} numbers passes the 2^32 that the Vulkan kernels can count: use a CPU backend",
+                    most));
   }
   if (sourceBytes() > kSourcePages * limits_.pageBytes) {
-    return fail(ErrorCode::tooLarge,
-                fmt::format("a level of {} bytes can't be read: this Vulkan device binds {} ranges of {} bytes; refine fewer "
-                            "levels or use a CPU backend",
-                            sourceBytes(), kSourcePages, limits_.pageBytes));
+    return fail(
+        ErrorCode::tooLarge,
+        fmt::format("a level of {} bytes can't be read: this Vulkan device binds {} ranges of {} bytes; refine fewer "
+                    "levels or use a CPU backend",
+                    sourceBytes(), kSourcePages, limits_.pageBytes));
   }
   return {};
 }
@@ -37,9 +40,10 @@ Result<Slice> StagePlanner::slice(const Section& section, std::int64_t first, st
   const std::uint64_t aligned = begin / limits_.alignment * limits_.alignment;
   const std::uint64_t size = begin + static_cast<std::uint64_t>(count) * kEntry - aligned;
   if (!fitsPage(size)) {
-    return fail(ErrorCode::tooLarge,
-                fmt::format("a face or row needs {} bytes of table at once, this Vulkan device binds {}: use a CPU backend",
-                            size, limits_.pageBytes));
+    return fail(
+        ErrorCode::tooLarge,
+        fmt::format("a face or row needs {} bytes of table at once, this Vulkan device binds {}: use a CPU backend",
+                    size, limits_.pageBytes));
   }
   return Slice{{Role::table, section.offset + aligned, size}, static_cast<std::uint32_t>((begin - aligned) / kEntry)};
 }
@@ -63,7 +67,8 @@ Dispatch StagePlanner::dispatch(Kernel kernel) const {
   constants.length = static_cast<std::uint32_t>(target_.desc.length);
   constants.sourceStride = static_cast<std::uint32_t>(source_.desc.stride);
   constants.targetStride = static_cast<std::uint32_t>(target_.desc.stride);
-  if (!fitsPage(sourceBytes())) constants.pageShift = static_cast<std::uint32_t>(std::countr_zero(limits_.pageNumbers()));
+  if (!fitsPage(sourceBytes()))
+    constants.pageShift = static_cast<std::uint32_t>(std::countr_zero(limits_.pageNumbers()));
   constants.windowed = fitsPage(targetBytes()) ? 0 : 1;
   result.push.sourceOffset = static_cast<std::uint32_t>(source_.desc.offset);
   result.push.targetOffset = static_cast<std::uint32_t>(target_.desc.offset);
@@ -82,10 +87,11 @@ Result<void> StagePlanner::shape(Dispatch& dispatch, std::uint64_t invocations) 
   const std::uint64_t rows = (groups + inRow - 1) / inRow;
   constexpr std::uint64_t kInvocations = std::uint64_t{1} << 32U;
   if (rows > limits_.groupRows || rows * inRow * kWorkgroupSize >= kInvocations) {
-    return fail(ErrorCode::tooLarge,
-                fmt::format("a dispatch of {} invocations passes this Vulkan device's {} x {} workgroups: refine fewer levels "
-                            "or use a CPU backend",
-                            invocations, limits_.groupsInRow, limits_.groupRows));
+    return fail(
+        ErrorCode::tooLarge,
+        fmt::format("a dispatch of {} invocations passes this Vulkan device's {} x {} workgroups: refine fewer levels "
+                    "or use a CPU backend",
+                    invocations, limits_.groupsInRow, limits_.groupRows));
   }
   dispatch.groups = static_cast<std::uint32_t>(inRow);
   dispatch.groupRows = static_cast<std::uint32_t>(rows);

@@ -38,8 +38,8 @@ struct Window {
   std::uint64_t size = 0;
 };
 
-/// The limits of a device applied: storage buffers are bound in ranges of at most a page, so tables are cut into slices,
-/// targets into windows, and sources are bound as several pages.
+/// The limits of a device applied: storage buffers are bound in ranges of at most a page, so tables are cut into
+/// slices, targets into windows, and sources are bound as several pages.
 ///
 ///     target   | page 0 | page 1 | page 2 |     one window a page; a dispatch writes what falls into its window
 ///     source   | page 0 | page 1 | page 2 |     all bound at once, at most kSourcePages
@@ -90,6 +90,8 @@ class StagePlanner {
 };
 
 /// The range of a slot.
-inline BoundRange& rangeOf(Dispatch& dispatch, Slot slot) { return dispatch.ranges[static_cast<std::size_t>(slot)]; }
+inline BoundRange& rangeOf(Dispatch& dispatch, Slot slot) {
+  return dispatch.ranges[static_cast<std::size_t>(slot)];
+}
 
 }  // namespace honeycomb::Osd

@@ -46,16 +46,18 @@ Result<void> checkDescriptors(const VulkanTableOptions& options) {
   if (const auto sound = check(options.control, "the control points"); !sound) return sound;
   if (const auto sound = check(options.refined, "the refined points"); !sound) return sound;
   if (options.control.length != options.refined.length) {
-    return fail(ErrorCode::invalidOption, fmt::format("control points have {} values and refined points {}: give both the same "
-                                                      "length",
-                                                      options.control.length, options.refined.length));
+    return fail(ErrorCode::invalidOption,
+                fmt::format("control points have {} values and refined points {}: give both the same "
+                            "length",
+                            options.control.length, options.refined.length));
   }
   for (const auto* layouts : {&options.vertexLimits, &options.faceLimits}) {
     for (const auto* desc : {&layouts->positions, &layouts->normals}) {
       if (!desc->has_value()) continue;
       if (const auto sound = check(**desc, "the limits"); !sound) return sound;
       if ((*desc)->length != 3 || options.refined.length != 3) {
-        return fail(ErrorCode::invalidOption, "limits are computed of points with 3 values and have 3 values themselves");
+        return fail(ErrorCode::invalidOption,
+                    "limits are computed of points with 3 values and have 3 values themselves");
       }
     }
   }
@@ -79,7 +81,8 @@ Result<void> checkLimits(const VulkanTableOptions& options, const Far::LimitTabl
 
 class TableBuilder {
  public:
-  TableBuilder(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines, const VulkanTableOptions& options)
+  TableBuilder(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,
+               const VulkanTableOptions& options)
       : core_(core), pipelines_(pipelines) {
     state_.options = options;
   }
@@ -185,7 +188,8 @@ Result<void> TableBuilder::appendFrames(std::vector<TableDispatch>& phase, const
 
 Result<TableBuilder::Steps> TableBuilder::level(const LevelTable& table, PointBuffer source, PointBuffer target) {
   TableImage image(core_->limits.alignment);
-  auto plan = planLevel(core_->limits, table, layoutOf(source, table.sourceCount), layoutOf(target, table.targetCount), image);
+  auto plan =
+      planLevel(core_->limits, table, layoutOf(source, table.sourceCount), layoutOf(target, table.targetCount), image);
   if (!plan) return tl::unexpected(plan.error());
   need(target, plan->targetBytes);
   TableStage stage;
@@ -194,8 +198,9 @@ Result<TableBuilder::Steps> TableBuilder::level(const LevelTable& table, PointBu
   return addStage(std::move(*plan), image, std::move(stage));
 }
 
-Result<TableBuilder::Steps> TableBuilder::frames(const LimitRows& rows, const LimitLayouts& layouts, std::int64_t results,
-                                                 PointBuffer source, PointBuffer positions, PointBuffer normals) {
+Result<TableBuilder::Steps> TableBuilder::frames(const LimitRows& rows, const LimitLayouts& layouts,
+                                                 std::int64_t results, PointBuffer source, PointBuffer positions,
+                                                 PointBuffer normals) {
   TableImage image(core_->limits.alignment);
   auto plan = planLimits(core_->limits, rows, layoutOf(source, rows.sourceCount), layouts, results, image);
   if (!plan) return tl::unexpected(plan.error());

@@ -17,12 +17,12 @@ namespace honeycomb::Osd {
 
 /// What is to be evaluated, and how the points lie in their buffers.
 struct VulkanTableOptions {
-  BufferDescriptor control{};      ///< points of firstLevel, which are read
-  BufferDescriptor refined{};      ///< points of lastLevel, which are written; the same length as control
+  BufferDescriptor control{};  ///< points of firstLevel, which are read
+  BufferDescriptor refined{};  ///< points of lastLevel, which are written; the same length as control
   std::int32_t firstLevel = 0;
-  std::int32_t lastLevel = -1;   ///< above firstLevel; -1: the refinement's last
-  LimitLayouts vertexLimits{};     ///< limits of the vertices of lastLevel; needs length 3 and the refinement's limits
-  LimitLayouts faceLimits{};       ///< the same of its faces
+  std::int32_t lastLevel = -1;  ///< above firstLevel; -1: the refinement's last
+  LimitLayouts vertexLimits{};  ///< limits of the vertices of lastLevel; needs length 3 and the refinement's limits
+  LimitLayouts faceLimits{};    ///< the same of its faces
 };
 
 /// The buffers a table reads and writes; those of the caller first.

@@ -1,4 +1,5 @@
 set(honeycomb_far_tests
+  bounds_test.cpp
   counts_test.cpp
   defects_test.cpp
   geometry_test.cpp

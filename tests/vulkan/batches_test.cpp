@@ -25,13 +25,17 @@ TEST_F(BatchesTest, CirculantsOfEverySideCount) {
   }
 }
 
-TEST_F(BatchesTest, OneFace) { EXPECT_TRUE(agree({.sourceCount = 3, .circulants = {{3, 1}}})); }
+TEST_F(BatchesTest, OneFace) {
+  EXPECT_TRUE(agree({.sourceCount = 3, .circulants = {{3, 1}}}));
+}
 
 TEST_F(BatchesTest, AsManyFacesAsAWorkgroupAndOneMoreOrLess) {
   for (const std::int32_t faces : {63, 64, 65}) EXPECT_TRUE(agree({.circulants = {{6, faces}}})) << faces << " faces";
 }
 
-TEST_F(BatchesTest, ManyFaces) { EXPECT_TRUE(agree({.sourceCount = 40000, .circulants = {{4, 3000}, {6, 20001}}})); }
+TEST_F(BatchesTest, ManyFaces) {
+  EXPECT_TRUE(agree({.sourceCount = 40000, .circulants = {{4, 3000}, {6, 20001}}}));
+}
 
 TEST_F(BatchesTest, LargeFacesByProjections) {
   for (const std::int32_t corners : {65, 256, 257, 512, 1000, 100000}) {
@@ -39,11 +43,17 @@ TEST_F(BatchesTest, LargeFacesByProjections) {
   }
 }
 
-TEST_F(BatchesTest, SeveralLargeFaces) { EXPECT_TRUE(agree({.projected = {65, 1000, 300, 66, 513}})); }
+TEST_F(BatchesTest, SeveralLargeFaces) {
+  EXPECT_TRUE(agree({.projected = {65, 1000, 300, 66, 513}}));
+}
 
-TEST_F(BatchesTest, HalvesOfLargeFaces) { EXPECT_TRUE(agree({.halfProjected = {65, 1000, 100, 513}})); }
+TEST_F(BatchesTest, HalvesOfLargeFaces) {
+  EXPECT_TRUE(agree({.halfProjected = {65, 1000, 100, 513}}));
+}
 
-TEST_F(BatchesTest, LooseRows) { EXPECT_TRUE(agree({.looseRows = 1234})); }
+TEST_F(BatchesTest, LooseRows) {
+  EXPECT_TRUE(agree({.looseRows = 1234}));
+}
 
 TEST_F(BatchesTest, AllKindsTogetherInEveryLength) {
   const TableShape shape{.circulants = {{4, 50}, {5, 33}, {6, 100}}, .projected = {65, 700}, .looseRows = 77};

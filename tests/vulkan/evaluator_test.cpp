@@ -38,7 +38,8 @@ TEST_F(EvaluatorTest, RecordsIntoTheCallersCommandBufferAndRange) {
   std::ranges::fill(target.numbers(), 5.0F);
   const auto in = randomNumbers(900);
   std::ranges::copy(in, source.numbers().begin() + 64);
-  auto binding = evaluator.bind(*table, {.control = {source.handle(), 256, 3600}, .refined = {target.handle(), 512, 6480}});
+  auto binding =
+      evaluator.bind(*table, {.control = {source.handle(), 256, 3600}, .refined = {target.handle(), 512, 6480}});
   ASSERT_TRUE(binding) << binding.error().message;
   auto commands = Osd::CommandRunner::create(evaluator.core());
   ASSERT_TRUE(commands && commands->begin(0));
@@ -69,7 +70,8 @@ TEST_F(EvaluatorTest, TwoBindingsOfOneTableInOneCommandBuffer) {
   }
   ASSERT_TRUE(commands->end() && commands->submit() && commands->wait());
   for (std::uint32_t i = 0; i < 2; ++i) {
-    EXPECT_TRUE(sameBits(expectedPoints(levels, randomNumbers(900, i), {}, {}), targets[i].numbers())) << "binding " << i;
+    EXPECT_TRUE(sameBits(expectedPoints(levels, randomNumbers(900, i), {}, {}), targets[i].numbers()))
+        << "binding " << i;
   }
 }
 
@@ -142,7 +144,8 @@ TEST_F(EvaluatorTest, RefusesBuffersThatAreMissingShortOrMisaligned) {
   EXPECT_THAT(refusal({.control = source.range()}), HasSubstr("needs a buffer for the refined points"));
   EXPECT_THAT(refusal({.control = {source.handle(), 0, 3599}, .refined = target.range()}),
               HasSubstr("the buffer for the control points has 3599 bytes, the table needs 3600"));
-  EXPECT_THAT(refusal({.control = {source.handle(), 4, 3600}, .refined = target.range()}), HasSubstr("begins at byte 4"));
+  EXPECT_THAT(refusal({.control = {source.handle(), 4, 3600}, .refined = target.range()}),
+              HasSubstr("begins at byte 4"));
   EXPECT_EQ(refusal({.control = {source.handle(), 0, 3600}, .refined = {target.handle(), 0, 6480}}), "bound");
 }
 
@@ -157,8 +160,8 @@ TEST_F(EvaluatorTest, RefusesHandlesThatAreNull) {
 
 TEST_F(EvaluatorTest, MoreMemoryThanThereIsIsAnError) {
   auto evaluator = makeEvaluator();
-  const auto refused = Osd::VulkanBuffer::create(evaluator.core(), std::uint64_t{1} << 50U, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                                                 Osd::MemoryUse::device);
+  const auto refused = Osd::VulkanBuffer::create(evaluator.core(), std::uint64_t{1} << 50U,
+                                                 VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Osd::MemoryUse::device);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::outOfMemory);
   EXPECT_THAT(refused.error().message, HasSubstr("1125899906842624 bytes asked for"));
@@ -170,8 +173,9 @@ TEST(VulkanErrors, TellTheClassesApart) {
   EXPECT_EQ(Osd::vulkanError(VK_ERROR_OUT_OF_HOST_MEMORY, "x").code, ErrorCode::outOfMemory);
   EXPECT_EQ(Osd::vulkanError(VK_ERROR_FEATURE_NOT_PRESENT, "x").code, ErrorCode::unsupported);
   EXPECT_EQ(Osd::vulkanError(VK_ERROR_INCOMPATIBLE_DRIVER, "x").code, ErrorCode::noDevice);
-  EXPECT_EQ(Osd::vulkanError(VK_ERROR_DEVICE_LOST, "submit commands").message,
-            "Vulkan failed to submit commands: VK_ERROR_DEVICE_LOST (-4); create the device anew, or use a CPU backend");
+  EXPECT_EQ(
+      Osd::vulkanError(VK_ERROR_DEVICE_LOST, "submit commands").message,
+      "Vulkan failed to submit commands: VK_ERROR_DEVICE_LOST (-4); create the device anew, or use a CPU backend");
 }
 
 }  // namespace

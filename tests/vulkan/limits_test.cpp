@@ -29,8 +29,8 @@ struct Limits {
   std::vector<float> positions, normals;
 };
 
-Limits expected(const Far::LimitRows& rows, const std::vector<float>& points, const Osd::BufferDescriptor& desc, Limits into,
-                const Osd::BufferDescriptor& positions, const Osd::BufferDescriptor& normals) {
+Limits expected(const Far::LimitRows& rows, const std::vector<float>& points, const Osd::BufferDescriptor& desc,
+                Limits into, const Osd::BufferDescriptor& positions, const Osd::BufferDescriptor& normals) {
   evaluateLimits(rows, points, desc, into.positions, positions, into.normals, normals);
   return into;
 }
@@ -72,15 +72,17 @@ void LimitsTest::check(const Osd::VulkanEvaluatorOptions& evaluatorOptions, cons
   const std::vector<float> points = expectedPoints({level}, control, options.control, options.refined);
   EXPECT_TRUE(sameBits(points, made->refined()));
   const auto facePositions = *options.faceLimits.positions, faceNormals = *options.faceLimits.normals;
-  const Limits faces = expected(limits.faces, points, options.refined,
-                                emptyLimits(limits.faces.elementCount, facePositions, faceNormals), facePositions, faceNormals);
+  const Limits faces =
+      expected(limits.faces, points, options.refined,
+               emptyLimits(limits.faces.elementCount, facePositions, faceNormals), facePositions, faceNormals);
   EXPECT_TRUE(sameBits(faces.positions, made->facePositions()));
   EXPECT_TRUE(sameBits(faces.normals, made->faceNormals()));
 
   const Osd::BufferDescriptor packed;
   const auto positions = *options.vertexLimits.positions, normals = *options.vertexLimits.normals;
   const std::vector<float> child = expectedPoints({limits.child}, points, options.refined, packed);
-  Limits vertices = expected(limits.vertices, child, packed, emptyLimits(level.targetCount, positions, normals), positions, normals);
+  Limits vertices =
+      expected(limits.vertices, child, packed, emptyLimits(level.targetCount, positions, normals), positions, normals);
   vertices = expected(limits.verticesHere, points, options.refined, vertices, positions, normals);
   EXPECT_TRUE(sameBits(vertices.positions, made->vertexPositions()));
   EXPECT_TRUE(sameBits(vertices.normals, made->vertexNormals()));

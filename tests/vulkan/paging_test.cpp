@@ -15,11 +15,14 @@ class PagingTest : public VulkanTest {};
 TEST_F(PagingTest, EveryBatchOverSeveralPages) {
   auto evaluator = makeEvaluator({.maxStorageBufferRange = 8192});
   ASSERT_EQ(evaluator.limits().pageBytes, 8192U);
-  EXPECT_TRUE(agrees(evaluator, {randomTable({.sourceCount = 4000, .circulants = {{4, 1000}, {5, 700}, {64, 60}}})}, {}, {}));
-  EXPECT_TRUE(agrees(evaluator, {randomTable({.sourceCount = 4000, .projected = {65, 300, 66, 70, 200, 330}})}, {}, {}));
+  EXPECT_TRUE(
+      agrees(evaluator, {randomTable({.sourceCount = 4000, .circulants = {{4, 1000}, {5, 700}, {64, 60}}})}, {}, {}));
+  EXPECT_TRUE(
+      agrees(evaluator, {randomTable({.sourceCount = 4000, .projected = {65, 300, 66, 70, 200, 330}})}, {}, {}));
   EXPECT_TRUE(agrees(evaluator, {randomTable({.sourceCount = 4000, .looseRows = 6000})}, {}, {}));
-  EXPECT_TRUE(agrees(evaluator, {randomTable({.sourceCount = 4000, .circulants = {{6, 900}}, .projected = {100}, .looseRows = 900})},
-                     {5, 3, 4}, {3, 3, 7}));
+  EXPECT_TRUE(agrees(
+      evaluator, {randomTable({.sourceCount = 4000, .circulants = {{6, 900}}, .projected = {100}, .looseRows = 900})},
+      {5, 3, 4}, {3, 3, 7}));
 }
 
 TEST_F(PagingTest, EveryLengthOverSeveralPages) {
@@ -82,7 +85,8 @@ TEST_F(PagingTest, LevelsPastTheDevicesOwnLimit) {
   auto evaluator = makeEvaluator();
   if (evaluator.limits().pageBytes > (std::uint64_t{1} << 27U)) GTEST_SKIP() << "the device binds more than 128 MiB";
   const Far::LevelTable large = randomTable({.sourceCount = 1000, .circulants = {{6, 2000000}}, .looseRows = 100});
-  const Far::LevelTable small = randomTable({.sourceCount = large.targetCount, .circulants = {{6, 1000}}, .looseRows = 100});
+  const Far::LevelTable small =
+      randomTable({.sourceCount = large.targetCount, .circulants = {{6, 1000}}, .looseRows = 100});
   EXPECT_TRUE(agrees(evaluator, {large, small}, {}, {}));
   EXPECT_TRUE(agrees(evaluator, {large}, {}, {}));
 }

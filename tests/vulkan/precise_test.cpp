@@ -15,8 +15,8 @@ namespace {
 // Of the SPIR-V specification: opcodes, and the decoration.
 constexpr std::uint32_t kOpDecorate = 71;
 constexpr std::uint32_t kNoContraction = 42;
-const std::set<std::uint32_t> kArithmetic = {127 /*FNegate*/, 129 /*FAdd*/,  131 /*FSub*/, 133 /*FMul*/,
-                                             136 /*FDiv*/,    142 /*VectorTimesScalar*/, 148 /*Dot*/};
+const std::set<std::uint32_t> kArithmetic = {
+    127 /*FNegate*/, 129 /*FAdd*/, 131 /*FSub*/, 133 /*FMul*/, 136 /*FDiv*/, 142 /*VectorTimesScalar*/, 148 /*Dot*/};
 constexpr std::size_t kHeaderWords = 5;
 
 struct Arithmetic {

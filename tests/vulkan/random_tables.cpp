@@ -7,7 +7,9 @@ namespace honeycomb::VulkanTests {
 
 namespace {
 
-std::int32_t sizeOf(const auto& values) { return static_cast<std::int32_t>(values.size()); }
+std::int32_t sizeOf(const auto& values) {
+  return static_cast<std::int32_t>(values.size());
+}
 
 class Builder {
  public:
@@ -94,7 +96,8 @@ Far::LevelTable randomTable(const TableShape& shape, std::uint32_t seed) {
   return builder.take();
 }
 
-Far::LimitRows randomLimits(std::int32_t sourceCount, const std::vector<TableShape::Faces>& batches, std::uint32_t seed) {
+Far::LimitRows randomLimits(std::int32_t sourceCount, const std::vector<TableShape::Faces>& batches,
+                            std::uint32_t seed) {
   std::mt19937 random(seed);
   std::uniform_int_distribution<std::int32_t> point(0, sourceCount - 1);
   std::uniform_real_distribution<double> weight(-1, 1);

@@ -16,8 +16,8 @@ struct TableShape {
     std::int32_t sides, count;
   };
   std::vector<Faces> circulants{};
-  std::vector<std::int32_t> projected{};       ///< corners of each large face
-  std::vector<std::int32_t> halfProjected{};   ///< the same, with outputs for half of the corners from some corner on
+  std::vector<std::int32_t> projected{};      ///< corners of each large face
+  std::vector<std::int32_t> halfProjected{};  ///< the same, with outputs for half of the corners from some corner on
   std::int32_t looseRows = 0;
 };
 
@@ -26,7 +26,8 @@ struct TableShape {
 Far::LevelTable randomTable(const TableShape& shape, std::uint32_t seed = 1);
 
 /// Limit rows of elements in random order; batches as {sides, count}.
-Far::LimitRows randomLimits(std::int32_t sourceCount, const std::vector<TableShape::Faces>& batches, std::uint32_t seed = 1);
+Far::LimitRows randomLimits(std::int32_t sourceCount, const std::vector<TableShape::Faces>& batches,
+                            std::uint32_t seed = 1);
 
 /// Numbers between -1 and 1.
 std::vector<float> randomNumbers(std::int64_t count, std::uint32_t seed = 7);

@@ -79,7 +79,8 @@ float blockedSum(std::size_t count, const auto& term) {
   float total = 0;
   for (std::size_t begin = 0; begin < count; begin += kProjectionBlock) {
     float sum = term(begin);
-    for (std::size_t j = begin + 1; j < std::min<std::size_t>(count, begin + kProjectionBlock); ++j) sum = sum + term(j);
+    for (std::size_t j = begin + 1; j < std::min<std::size_t>(count, begin + kProjectionBlock); ++j)
+      sum = sum + term(j);
     total = begin == 0 ? sum : total + sum;
   }
   return total;
@@ -90,7 +91,9 @@ void projected(const Far::LevelTable& table, const Far::ProjectedFace& face, Com
   const auto outputs = static_cast<std::size_t>(face.outputs);
   const float* w = table.weightsSingle.data() + face.firstWeight;
   const float* x = w + 2 + 3 * corners;
-  const auto point = [&](std::size_t j) { return in[at(table.indices, face.firstIndex + static_cast<std::int64_t>(j))]; };
+  const auto point = [&](std::size_t j) {
+    return in[at(table.indices, face.firstIndex + static_cast<std::int64_t>(j))];
+  };
   std::array<float, 3> sums{};
   for (std::size_t s = 0; s < 3; ++s) {
     sums[s] = blockedSum(corners, [&](std::size_t j) { return w[2 + s * corners + j] * point(j); });

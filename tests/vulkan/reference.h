@@ -11,12 +11,14 @@
 namespace honeycomb::VulkanTests {
 
 /// Evaluates a level into `target`, which has the numbers of `targetDesc` already.
-void evaluateLevel(const Far::LevelTable& table, const std::vector<float>& source, const Osd::BufferDescriptor& sourceDesc,
-                   std::vector<float>& target, const Osd::BufferDescriptor& targetDesc);
+void evaluateLevel(const Far::LevelTable& table, const std::vector<float>& source,
+                   const Osd::BufferDescriptor& sourceDesc, std::vector<float>& target,
+                   const Osd::BufferDescriptor& targetDesc);
 
 /// Limit positions and normals of the elements of `rows`.
-void evaluateLimits(const Far::LimitRows& rows, const std::vector<float>& source, const Osd::BufferDescriptor& sourceDesc,
-                    std::vector<float>& positions, const Osd::BufferDescriptor& positionDesc, std::vector<float>& normals,
+void evaluateLimits(const Far::LimitRows& rows, const std::vector<float>& source,
+                    const Osd::BufferDescriptor& sourceDesc, std::vector<float>& positions,
+                    const Osd::BufferDescriptor& positionDesc, std::vector<float>& normals,
                     const Osd::BufferDescriptor& normalDesc);
 
 }  // namespace honeycomb::VulkanTests

@@ -52,7 +52,8 @@ testing::AssertionResult agrees(Osd::VulkanEvaluator& evaluator, const std::vect
   for (const std::uint32_t frame : {1U, 2U}) {
     const auto in = randomNumbers(control.extent(levels.front().sourceCount), frame);
     if (const auto ran = session->refine(in, out); !ran) return testing::AssertionFailure() << ran.error().message;
-    if (auto same = sameBits(expectedPoints(levels, in, control, refined), out); !same) return same << ", frame " << frame;
+    if (auto same = sameBits(expectedPoints(levels, in, control, refined), out); !same)
+      return same << ", frame " << frame;
   }
   return testing::AssertionSuccess();
 }

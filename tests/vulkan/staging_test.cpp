@@ -12,8 +12,8 @@ class StagingTest : public VulkanTest {};
 
 TEST_F(StagingTest, DeviceMemoryIsNotMapped) {
   auto evaluator = makeEvaluator({.stageEverything = true});
-  const auto staged = Osd::SharedBuffer::create(evaluator.core(), 64, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                                                Osd::MemoryUse::readback);
+  const auto staged =
+      Osd::SharedBuffer::create(evaluator.core(), 64, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Osd::MemoryUse::readback);
   ASSERT_TRUE(staged) << staged.error().message;
   EXPECT_TRUE(staged->staged());
   EXPECT_EQ(staged->bytes().size(), 64U);

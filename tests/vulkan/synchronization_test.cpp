@@ -2,6 +2,9 @@
 // writes after writes between dispatches, but reads after writes, which is what levels do.
 #include <gmock/gmock.h>
 
+#include <array>
+#include <cstddef>
+
 #include "fixture.h"
 #include "osd/vulkan/session.h"
 #include "random_tables.h"
@@ -14,7 +17,8 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-std::vector<std::string> messagesOf(const Osd::VulkanEvaluatorOptions& options, const std::vector<Far::LevelTable>& levels) {
+std::vector<std::string> messagesOf(const Osd::VulkanEvaluatorOptions& options,
+                                    const std::vector<Far::LevelTable>& levels) {
   auto context = Osd::VulkanContext::create({.validation = true});
   if (!context) throw std::runtime_error(context.error().message);
   auto evaluator = Osd::VulkanEvaluator::create(context->device(), options);
@@ -51,6 +55,22 @@ TEST(SynchronizationTest, WithTheBarriersNothingIsReported) {
   EXPECT_THAT(messagesOf({.stageEverything = true}, kLevels), IsEmpty());
 }
 
+// Memory for an object that is never destroyed, so that the test itself leaks nothing.
+struct Arena {
+  alignas(64) std::array<std::byte, 4096> bytes{};
+  std::size_t used = 0;
+
+  static void* allocate(void* arena, std::size_t size, std::size_t, VkSystemAllocationScope) {
+    auto* self = static_cast<Arena*>(arena);
+    const std::size_t place = self->used;
+    self->used += (size + 63) / 64 * 64;
+    return self->used <= self->bytes.size() ? self->bytes.data() + place : nullptr;
+  }
+  static void* reallocate(void*, void*, std::size_t, std::size_t, VkSystemAllocationScope) { return nullptr; }
+  static void free(void*, void*) {}
+  VkAllocationCallbacks callbacks() { return {this, allocate, reallocate, free, nullptr, nullptr}; }
+};
+
 TEST(SynchronizationTest, ALeakedObjectIsReportedWhenTheDeviceIsDestroyed) {
   if (layerMissing()) GTEST_SKIP() << "VK_LAYER_KHRONOS_validation isn't installed";
   auto context = Osd::VulkanContext::create({.validation = true});
@@ -59,8 +79,10 @@ TEST(SynchronizationTest, ALeakedObjectIsReportedWhenTheDeviceIsDestroyed) {
   ASSERT_TRUE(functions) << functions.error().message;
   VkFenceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
+  Arena arena;
+  const VkAllocationCallbacks callbacks = arena.callbacks();
   VkFence leaked = VK_NULL_HANDLE;
-  ASSERT_EQ(functions->device.vkCreateFence(context->device().device, &info, nullptr, &leaked), VK_SUCCESS);
+  ASSERT_EQ(functions->device.vkCreateFence(context->device().device, &info, &callbacks, &leaked), VK_SUCCESS);
   const auto log = context->validationLog();
   { const Osd::VulkanContext ended = std::move(*context); }
   EXPECT_THAT(log->messages(), Contains(HasSubstr("has not been destroyed")));

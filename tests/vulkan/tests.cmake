@@ -4,7 +4,6 @@ set(HONEYCOMB_VULKAN_TESTS
   precise_test)
 
 add_library(honeycomb_vulkan_test_support STATIC
-  ${CMAKE_CURRENT_LIST_DIR}/lsan_suppressions.cpp
   ${CMAKE_CURRENT_LIST_DIR}/random_tables.cpp
   ${CMAKE_CURRENT_LIST_DIR}/reference.cpp
   ${CMAKE_CURRENT_LIST_DIR}/runs.cpp)
@@ -15,6 +14,6 @@ target_compile_definitions(honeycomb_vulkan_test_support
 foreach(name IN LISTS HONEYCOMB_VULKAN_TESTS)
   honeycomb_test(vulkan_${name}
     LABELS vulkan
-    SOURCES ${CMAKE_CURRENT_LIST_DIR}/${name}.cpp
+    SOURCES ${CMAKE_CURRENT_LIST_DIR}/${name}.cpp ${CMAKE_CURRENT_LIST_DIR}/lsan_suppressions.cpp
     LIBRARIES honeycomb_vulkan_test_support honeycomb::osd_vulkan)
 endforeach()
