@@ -155,8 +155,8 @@ Result<void> ObjParser::vertex() {
   for (const double coordinate : point) {
     if (std::isfinite(coordinate)) continue;
     return fail(ErrorCode::invalidPositions,
-                fmt::format("{}:{}: vertex {} (counted from 0) has the coordinate {}; give it a finite position", name_,
-                            statementLine_, vertices_.count, coordinate),
+                fmt::format("{}:{}: vertex {} (counted from 1) has the coordinate {}; give it a finite position", name_,
+                            statementLine_, vertices_.count + 1, coordinate),
                 vertices_.count);
   }
   if (vertices_.count == maxElements_) {

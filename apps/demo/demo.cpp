@@ -104,11 +104,9 @@ Result<void> run(const Options& options) {
   return vulkan ? paint(*subject, options, *vulkan) : Result<void>();
 }
 
-}  // namespace
-}  // namespace honeycomb::Demo
-
-int main(int argumentCount, char** arguments) {
-  honeycomb::Demo::Options options;
+/// The program, with its exit status.
+int start(int argumentCount, char** arguments) {
+  Options options;
   CLI::App app("Refines every frame of an animation on every evaluator, compares them and draws pictures.",
                "honeycomb_demo");
   app.add_option("--mesh", options.mesh, "the control mesh, an OBJ file");
@@ -116,9 +114,25 @@ int main(int argumentCount, char** arguments) {
   app.add_option("--levels", options.levels, "steps of refinement")->check(CLI::Range(1, 8));
   app.add_option("--frames", options.frames, "how many frames, from the first (0: all)")->check(CLI::NonNegativeNumber);
   app.add_option("--output", options.output, "the folder for pictures");
-  CLI11_PARSE(app, argumentCount, arguments);
-  const honeycomb::Result<void> done = honeycomb::Demo::run(options);
+  try {
+    app.parse(argumentCount, arguments);
+  } catch (const CLI::ParseError& wrong) {
+    return app.exit(wrong) == 0 ? 0 : 2;
+  }
+  const Result<void> done = run(options);
   if (done) return 0;
   std::cerr << "error: " << done.error().message << '\n';
   return 1;
+}
+
+}  // namespace
+}  // namespace honeycomb::Demo
+
+int main(int argumentCount, char** arguments) {
+  try {
+    return honeycomb::Demo::start(argumentCount, arguments);
+  } catch (const std::exception& failure) {
+    std::cerr << "error: " << failure.what() << '\n';
+    return 1;
+  }
 }

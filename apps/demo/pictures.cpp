@@ -92,8 +92,7 @@ Result<void> addMotion(const Studio& studio, const Viewer::View& view, std::int3
   auto painter = studio.painter(levels, kTileSize);
   if (!painter) return tl::unexpected(painter.error());
   for (std::size_t i = 0; i < count; ++i) {
-    const auto posed = studio.pose(*painter, studio.frameAt(i + 1, count + 1));
-    if (!posed) return posed;
+    if (auto posed = studio.pose(*painter, studio.frameAt(i + 1, count + 1)); !posed) return posed;
     auto picture = painter->surface(view);
     if (!picture) return tl::unexpected(picture.error());
     pictures.push_back(std::move(*picture));

@@ -70,8 +70,8 @@ INSTANTIATE_TEST_SUITE_P(
                             ":", "OBJ"},
                     BadMesh{"NoFaces", "v 0 0 0\n", ":", "no faces"},
                     BadMesh{"NotANumber", "v 0 zero 0\nf 1 1 1\n", ":1:", "zero"},
-                    BadMesh{"NaN", "v 0 0 0\nv 0 nan 0\nv 1 0 0\nf 1 2 3\n", ":2:", "vertex 1 (counted from 0)"},
-                    BadMesh{"Infinity", "v 0 0 0\nv 1 0 0\nv 0 0 -inf\nf 1 2 3\n", ":3:", "vertex 2 (counted from 0)"}),
+                    BadMesh{"NaN", "v 0 0 0\nv 0 nan 0\nv 1 0 0\nf 1 2 3\n", ":2:", "vertex 2 (counted from 1)"},
+                    BadMesh{"Infinity", "v 0 0 0\nv 1 0 0\nv 0 0 -inf\nf 1 2 3\n", ":3:", "vertex 3 (counted from 1)"}),
     [](const auto& tested) { return tested.param.name; });
 
 class MeshTest : public Workplace {};

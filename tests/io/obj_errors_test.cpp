@@ -71,9 +71,9 @@ TEST(ObjErrors, WrongCountOfNumbers) {
 
 TEST(ObjErrors, NanAndInfinityNameTheVertex) {
   const std::string rest = "; give it a finite position";
-  EXPECT_EQ(message("v 0 0 0\nv 0 nan 0\n"), "mesh.obj:2: vertex 1 (counted from 0) has the coordinate nan" + rest);
-  EXPECT_EQ(message("v inf 0 0\n"), "mesh.obj:1: vertex 0 (counted from 0) has the coordinate inf" + rest);
-  EXPECT_EQ(message("v 0 0 -1e400\n"), "mesh.obj:1: vertex 0 (counted from 0) has the coordinate -inf" + rest);
+  EXPECT_EQ(message("v 0 0 0\nv 0 nan 0\n"), "mesh.obj:2: vertex 2 (counted from 1) has the coordinate nan" + rest);
+  EXPECT_EQ(message("v inf 0 0\n"), "mesh.obj:1: vertex 1 (counted from 1) has the coordinate inf" + rest);
+  EXPECT_EQ(message("v 0 0 -1e400\n"), "mesh.obj:1: vertex 1 (counted from 1) has the coordinate -inf" + rest);
   const Error error = refusal("v 0 0 0\n\n\nv 0 0 inf\n");
   EXPECT_EQ(error.code, ErrorCode::invalidPositions);
   EXPECT_EQ(error.element, 1);

@@ -7,6 +7,7 @@
 
 #include "io/png.h"
 #include "tests/viewer/cube.h"
+#include "tests/viewer/driver.h"
 #include "tests/vulkan/fixture.h"
 
 namespace honeycomb::ViewerTests {
@@ -28,6 +29,7 @@ Viewer::View frontView(const Cube& cube) {
 class RendererTest : public VulkanTests::VulkanTest {
  protected:
   void SetUp() override {
+    keepDriverLoaded();
     VulkanTest::SetUp();
     auto created = Viewer::Renderer::create(context->device(), kSize);
     ASSERT_TRUE(created) << created.error().message;

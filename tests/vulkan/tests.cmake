@@ -17,3 +17,9 @@ foreach(name IN LISTS HONEYCOMB_VULKAN_TESTS)
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/${name}.cpp ${CMAKE_CURRENT_LIST_DIR}/lsan_suppressions.cpp
     LIBRARIES honeycomb_vulkan_test_support honeycomb::osd_vulkan)
 endforeach()
+
+# The evaluator on what far makes; with the meshes of far's own tests.
+honeycomb_test(vulkan_refinement_test
+  LABELS vulkan
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/refinement_test.cpp ${CMAKE_CURRENT_LIST_DIR}/lsan_suppressions.cpp
+  LIBRARIES honeycomb_vulkan_test_support honeycomb::osd_vulkan honeycomb::test_support)
