@@ -13,29 +13,43 @@ layout(set = 0, binding = 5) restrict readonly buffer Elements { uint elements[]
 const float kSmallest = 1.17549435e-38;  // FLT_MIN
 const float kLargest = 3.40282347e+38;   // FLT_MAX
 
-uint sides() { return kSides != 0u ? kSides : push.sides; }
+// Up to 16 sides are a constant. Their loops are unrolled, and their weights are read once, before invocations part.
+const bool kUnrolled = kSides != 0u;
+const uint kKnownWeights = 3u * kSides + 1u;
+float known[kKnownWeights];
+
+uint sides() { return kUnrolled ? kSides : push.sides; }
+
+void readWeights() {
+  if (!kUnrolled) return;
+  for (uint k = 0u; k < 3u * kSides; ++k) known[k] = weights[push.firstWeight + k];
+}
+
+float weight(uint k) {
+  if (kUnrolled) return known[k];
+  return weights[push.firstWeight + k];
+}
 
 vec3 sourcePoint(uint index) {
   const uint point = indices[index];
   return vec3(sourceValue(point, 0u), sourceValue(point, 1u), sourceValue(point, 2u));
 }
 
-// The weighted sum of the block's points that begins with corner `first`, in ascending order.
+// The weighted sums of the block's points that begins with corner `first`, in ascending order.
 void addBlock(uint index, uint first, inout precise vec3 position, inout precise vec3 tangent1,
               inout precise vec3 tangent2) {
   const uint end = min(first + kProjectionBlock, sides());
-  const uint m = push.firstWeight;
-  const uint a = m + sides();
-  const uint b = a + sides();
+  const uint a = sides();
+  const uint b = 2u * sides();
   vec3 p = sourcePoint(index + first);
-  precise vec3 sumM = weights[m + first] * p;
-  precise vec3 sumA = weights[a + first] * p;
-  precise vec3 sumB = weights[b + first] * p;
+  precise vec3 sumM = weight(first) * p;
+  precise vec3 sumA = weight(a + first) * p;
+  precise vec3 sumB = weight(b + first) * p;
   for (uint j = first + 1u; j < end; ++j) {
     p = sourcePoint(index + j);
-    precise vec3 termM = weights[m + j] * p;
-    precise vec3 termA = weights[a + j] * p;
-    precise vec3 termB = weights[b + j] * p;
+    precise vec3 termM = weight(j) * p;
+    precise vec3 termA = weight(a + j) * p;
+    precise vec3 termB = weight(b + j) * p;
     sumM = sumM + termM;
     sumA = sumA + termA;
     sumB = sumB + termB;
@@ -66,22 +80,25 @@ vec3 unitNormal(vec3 s, vec3 t) {
   return normal;
 }
 
-// A result that isn't wanted has a window of no numbers.
+// A result that isn't wanted has a stride of 0, or a window of no numbers.
 void writePosition(uint element, vec3 p) {
   const uint n = push.targetOffset + element * kTargetStride - push.windowBegin;
-  if (n < push.windowSize) positions[n] = p.x;
-  if (n + 1u < push.windowSize) positions[n + 1u] = p.y;
-  if (n + 2u < push.windowSize) positions[n + 2u] = p.z;
+  if (kTargetStride == 0u) return;
+  if (!kWindowed || n < push.windowSize) positions[n] = p.x;
+  if (!kWindowed || n + 1u < push.windowSize) positions[n + 1u] = p.y;
+  if (!kWindowed || n + 2u < push.windowSize) positions[n + 2u] = p.z;
 }
 
 void writeNormal(uint element, vec3 v) {
   const uint n = push.normalOffset + element * kNormalStride - push.normalBegin;
-  if (n < push.normalSize) normals[n] = v.x;
-  if (n + 1u < push.normalSize) normals[n + 1u] = v.y;
-  if (n + 2u < push.normalSize) normals[n + 2u] = v.z;
+  if (kNormalStride == 0u) return;
+  if (!kWindowed || n < push.normalSize) normals[n] = v.x;
+  if (!kWindowed || n + 1u < push.normalSize) normals[n + 1u] = v.y;
+  if (!kWindowed || n + 2u < push.normalSize) normals[n + 2u] = v.z;
 }
 
 void main() {
+  readWeights();
   const uint g = invocation();
   if (g >= push.count) return;
   const uint index = push.firstIndex + g * sides();

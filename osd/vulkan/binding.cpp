@@ -55,7 +55,7 @@ Result<void> VulkanBinding::resolve(const VulkanTargets& targets) {
   for (std::size_t i = 0; i < buffers.size(); ++i) {
     const std::uint64_t needed = table_.bytesOf(static_cast<PointBuffer>(i));
     if (needed == 0) continue;
-    const auto sound = checkRange(buffers[i].first, needed, core_->limits.alignment, buffers[i].second);
+    auto sound = checkRange(buffers[i].first, needed, core_->limits.alignment, buffers[i].second);
     if (!sound) return sound;
     ranges_[i] = buffers[i].first;
   }
@@ -83,7 +83,7 @@ Result<void> VulkanBinding::makeSets() {
       places.emplace(Key{one.stage, one.dispatch.ranges}, static_cast<std::uint32_t>(places.size()));
     }
   }
-  if (const auto made = makePool(static_cast<std::uint32_t>(places.size())); !made) return made;
+  if (auto made = makePool(static_cast<std::uint32_t>(places.size())); !made) return made;
   const auto sets = allocateSets(static_cast<std::uint32_t>(places.size()));
   if (!sets) return tl::unexpected(sets.error());
   for (const auto& [key, place] : places) writeSet((*sets)[place], table_.state_->stages[key.first], key.second);

@@ -8,10 +8,10 @@
 namespace honeycomb::Osd {
 
 Result<VulkanEvaluator> VulkanEvaluator::create(const VulkanDevice& device, const VulkanEvaluatorOptions& options) {
-  auto core = VulkanCore::create(device, options);
+  const auto core = VulkanCore::create(device, options);
   if (!core) return tl::unexpected(core.error());
   VulkanEvaluator evaluator;
-  evaluator.core_ = std::make_shared<const VulkanCore>(std::move(*core));
+  evaluator.core_ = std::make_shared<const VulkanCore>(*core);
   auto pipelines = VulkanPipelines::create(evaluator.core_);
   if (!pipelines) return tl::unexpected(pipelines.error());
   evaluator.pipelines_ = std::move(*pipelines);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
+#include <tuple>
 
 namespace honeycomb::Osd {
 
@@ -20,7 +20,11 @@ struct Specialization {
   std::uint32_t sides = 6;
   std::uint32_t pageShift = 0;
   std::uint32_t windowed = 0;
-  auto operator<=>(const Specialization&) const = default;
+  /// All of them in order, to be compared.
+  auto constants() const {
+    return std::tie(workgroupSize, length, sourceStride, targetStride, normalStride, sides, pageShift, windowed);
+  }
+  bool operator<(const Specialization& other) const { return constants() < other.constants(); }
 };
 constexpr std::uint32_t kSpecializationCount = 8;
 static_assert(sizeof(Specialization) == kSpecializationCount * sizeof(std::uint32_t));
@@ -62,7 +66,9 @@ struct BoundRange {
   Role role = Role::table;
   std::uint64_t offset = 0;
   std::uint64_t size = 0;
-  auto operator<=>(const BoundRange&) const = default;
+  bool operator<(const BoundRange& other) const {
+    return std::tie(role, offset, size) < std::tie(other.role, other.offset, other.size);
+  }
 };
 using BoundRanges = std::array<BoundRange, kSlotCount>;
 

@@ -21,6 +21,7 @@ class LimitPlanner {
   Result<std::vector<Dispatch>> plan();
 
  private:
+  void setResults(Dispatch& dispatch) const;
   Result<void> planElements(const FrameBatch& batch, std::int64_t begin, std::int64_t end);
   std::vector<Window> windows(const StagePlanner& stage, bool wanted, std::int64_t begin, std::int64_t end) const;
   void addDispatches(const Dispatch& dispatch, const std::vector<Window>& positions,
@@ -54,6 +55,18 @@ std::vector<Window> LimitPlanner::windows(const StagePlanner& stage, bool wanted
   return stage.windows(stage.target(), *lowest, *highest);
 }
 
+// The constants that the wanted results determine; a stride of 0 stands for a result that isn't wanted.
+void LimitPlanner::setResults(Dispatch& dispatch) const {
+  Specialization& constants = dispatch.specialization;
+  constants.normalStride = static_cast<std::uint32_t>(normals_.target().desc.stride);
+  if (!layouts_.positions) constants.targetStride = 0;
+  if (!layouts_.normals) constants.normalStride = 0;
+  const std::uint64_t largest =
+      std::max(layouts_.positions ? positions_.targetBytes() : 0, layouts_.normals ? normals_.targetBytes() : 0);
+  constants.windowed = largest <= positions_.limits().pageBytes ? 0 : 1;
+  dispatch.push.normalOffset = static_cast<std::uint32_t>(normals_.target().desc.offset);
+}
+
 Result<void> LimitPlanner::planElements(const FrameBatch& batch, std::int64_t begin, std::int64_t end) {
   const std::int64_t sides = batch.sides;
   const auto indices = positions_.slice(sections_.indices, batch.firstIndex + begin * sides, (end - begin) * sides);
@@ -63,19 +76,17 @@ Result<void> LimitPlanner::planElements(const FrameBatch& batch, std::int64_t be
   const auto elements = positions_.slice(sections_.elements, batch.firstElement + begin, end - begin);
   if (!elements) return tl::unexpected(elements.error());
   Dispatch dispatch = positions_.dispatch(Kernel::limits);
-  dispatch.specialization.windowed = 0;
-  dispatch.specialization.normalStride = static_cast<std::uint32_t>(normals_.target().desc.stride);
+  setResults(dispatch);
   dispatch.specialization.sides = sides <= kUnrolledSides ? static_cast<std::uint32_t>(sides) : 0;
   dispatch.push.sides = static_cast<std::uint32_t>(sides);
   dispatch.push.count = static_cast<std::uint32_t>(end - begin);
   dispatch.push.firstIndex = indices->first;
   dispatch.push.firstWeight = weights->first;
   dispatch.push.firstRecord = elements->first;
-  dispatch.push.normalOffset = static_cast<std::uint32_t>(normals_.target().desc.offset);
   rangeOf(dispatch, Slot::indices) = indices->range;
   rangeOf(dispatch, Slot::weights) = weights->range;
   rangeOf(dispatch, Slot::records) = elements->range;
-  if (const auto shaped = positions_.shape(dispatch, dispatch.push.count); !shaped) return shaped;
+  if (auto shaped = positions_.shape(dispatch, dispatch.push.count); !shaped) return shaped;
   const std::int64_t first = batch.firstElement + begin, past = batch.firstElement + end;
   addDispatches(dispatch, windows(positions_, layouts_.positions.has_value(), first, past),
                 windows(normals_, layouts_.normals.has_value(), first, past));

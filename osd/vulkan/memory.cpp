@@ -172,11 +172,11 @@ Result<void> fillBuffer(const std::shared_ptr<const VulkanCore>& core, const Vul
   copyPieces(staging->bytes(), pieces);
   auto commands = CommandRunner::create(core);
   if (!commands) return tl::unexpected(commands.error());
-  if (const auto begun = commands->begin(VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT); !begun) return begun;
+  if (auto begun = commands->begin(VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT); !begun) return begun;
   const VkBufferCopy region{0, 0, buffer.size()};
   core->vk().vkCmdCopyBuffer(commands->commandBuffer(), staging->handle(), buffer.handle(), 1, &region);
-  if (const auto ended = commands->end(); !ended) return ended;
-  if (const auto sent = commands->submit(); !sent) return sent;
+  if (auto ended = commands->end(); !ended) return ended;
+  if (auto sent = commands->submit(); !sent) return sent;
   return commands->wait();
 }
 

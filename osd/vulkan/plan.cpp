@@ -64,7 +64,7 @@ Result<void> LevelPlanner::planCirculant(const CirculantBatch& batch) {
   const std::int64_t faces = std::max<std::int64_t>(1, stage_.sliceCapacity(sections_.indices) / batch.sides);
   for (std::int64_t begin = 0; begin < batch.faceCount; begin += faces) {
     const FaceRange range{begin, std::min<std::int64_t>(begin + faces, batch.faceCount)};
-    if (const auto planned = planFaces(batch, range); !planned) return planned;
+    if (auto planned = planFaces(batch, range); !planned) return planned;
   }
   return {};
 }
@@ -93,7 +93,7 @@ Result<void> LevelPlanner::planFaces(const CirculantBatch& batch, FaceRange rang
     rangeOf(dispatch, Slot::indices) = indices->range;
     rangeOf(dispatch, Slot::weights) = weights->range;
     stage_.bindTarget(dispatch, window);
-    if (const auto shaped = stage_.shape(dispatch, dispatch.push.count); !shaped) return shaped;
+    if (auto shaped = stage_.shape(dispatch, dispatch.push.count); !shaped) return shaped;
     dispatches_.push_back(dispatch);
   }
   return {};
@@ -116,7 +116,7 @@ std::int64_t LevelPlanner::endOfRows(std::int64_t begin) const {
 Result<void> LevelPlanner::planLoose() {
   for (std::int64_t begin = 0; begin < table_.loose.rowCount();) {
     const std::int64_t end = endOfRows(begin);
-    if (const auto planned = planRows(begin, end); !planned) return planned;
+    if (auto planned = planRows(begin, end); !planned) return planned;
     begin = end;
   }
   return {};
@@ -148,7 +148,7 @@ Result<void> LevelPlanner::planRows(std::int64_t begin, std::int64_t end) {
     rangeOf(dispatch, Slot::records) = outputs->range;
     rangeOf(dispatch, Slot::tasks) = offsets->range;
     stage_.bindTarget(dispatch, window);
-    if (const auto shaped = stage_.shape(dispatch, dispatch.push.count); !shaped) return shaped;
+    if (auto shaped = stage_.shape(dispatch, dispatch.push.count); !shaped) return shaped;
     dispatches_.push_back(dispatch);
   }
   return {};

@@ -51,7 +51,9 @@ class ProjectedPlanner {
   Group with(Group group, std::int64_t f) const;
   bool fits(const Group& group) const;
   Result<void> planGroup(const Group& group);
-  Result<void> planOutputs(const Group& group, Dispatch dispatch);
+  Result<Dispatch> bindFaces(const Group& group);
+  Result<void> planOutputs(const Group& group, Dispatch dispatch, const BoundRange& sums);
+  Result<Slice> wholeSlice(const Section& section) const { return stage_.slice(section, 0, section.count); }
   Section addRecords(const Group& group);
   Section addBlockTasks(const Group& group);
   Section addOutputTasks(const Group& group);
@@ -140,53 +142,57 @@ BoundRange ProjectedPlanner::addPartials(std::int64_t numbers) {
   return range;
 }
 
-Result<void> ProjectedPlanner::planGroup(const Group& group) {
-  const Section records = addRecords(group), blockTasks = addBlockTasks(group), outputTasks = addOutputTasks(group);
+// What the three kernels have in common: the faces and where their indices and weights lie.
+Result<Dispatch> ProjectedPlanner::bindFaces(const Group& group) {
   const auto indices = stage_.slice(indices_, group.indices.begin, group.indices.size());
   if (!indices) return tl::unexpected(indices.error());
   const auto weights = stage_.slice(weights_, group.weights.begin, group.weights.size());
   if (!weights) return tl::unexpected(weights.error());
-  const auto recordSlice = stage_.slice(records, 0, records.count);
-  if (!recordSlice) return tl::unexpected(recordSlice.error());
-  const auto blockSlice = stage_.slice(blockTasks, 0, blockTasks.count);
-  if (!blockSlice) return tl::unexpected(blockSlice.error());
-  const auto outputSlice = stage_.slice(outputTasks, 0, outputTasks.count);
-  if (!outputSlice) return tl::unexpected(outputSlice.error());
+  const auto records = wholeSlice(addRecords(group));
+  if (!records) return tl::unexpected(records.error());
+  Dispatch dispatch = stage_.dispatch(Kernel::projectedBlocks);
+  dispatch.push.firstIndex = indices->first;
+  dispatch.push.firstWeight = weights->first;
+  rangeOf(dispatch, Slot::indices) = indices->range;
+  rangeOf(dispatch, Slot::weights) = weights->range;
+  rangeOf(dispatch, Slot::records) = records->range;
+  return dispatch;
+}
+
+Result<void> ProjectedPlanner::planGroup(const Group& group) {
+  const auto faces = bindFaces(group);
+  if (!faces) return tl::unexpected(faces.error());
+  const auto tasks = wholeSlice(addBlockTasks(group));
+  if (!tasks) return tl::unexpected(tasks.error());
   const BoundRange blockSums = addPartials(group.blocks * sumsPerFace());
   const BoundRange sums = addPartials(group.faces.size() * sumsPerFace());
-
-  Dispatch blocks = stage_.dispatch(Kernel::projectedBlocks);
-  blocks.push.firstIndex = indices->first;
-  blocks.push.firstWeight = weights->first;
-  rangeOf(blocks, Slot::indices) = indices->range;
-  rangeOf(blocks, Slot::weights) = weights->range;
-  rangeOf(blocks, Slot::records) = recordSlice->range;
-  rangeOf(blocks, Slot::tasks) = blockSlice->range;
-  rangeOf(blocks, Slot::target) = blockSums;
-  blocks.push.count = static_cast<std::uint32_t>(group.blocks);
   const auto length = static_cast<std::uint64_t>(stage_.target().desc.length);
-  if (const auto shaped = stage_.shape(blocks, blocks.push.count * length); !shaped) return shaped;
+
+  Dispatch blocks = *faces;
+  blocks.push.count = static_cast<std::uint32_t>(group.blocks);
+  rangeOf(blocks, Slot::tasks) = tasks->range;
+  rangeOf(blocks, Slot::target) = blockSums;
+  if (auto shaped = stage_.shape(blocks, blocks.push.count * length); !shaped) return shaped;
   plan_.blocks.push_back(blocks);
 
-  Dispatch totals = blocks;
+  Dispatch totals = *faces;
   totals.kernel = Kernel::projectedSums;
   totals.push.count = static_cast<std::uint32_t>(group.faces.size());
   rangeOf(totals, Slot::target) = sums;
   rangeOf(totals, Slot::second) = blockSums;
-  if (const auto shaped = stage_.shape(totals, totals.push.count * 3 * length); !shaped) return shaped;
+  if (auto shaped = stage_.shape(totals, totals.push.count * 3 * length); !shaped) return shaped;
   plan_.sums.push_back(totals);
-
-  Dispatch outputs = blocks;
-  outputs.kernel = Kernel::projected;
-  outputs.push.count = static_cast<std::uint32_t>(group.tasks);
-  rangeOf(outputs, Slot::second) = sums;
-  rangeOf(outputs, Slot::tasks) = outputSlice->range;
-  return planOutputs(group, outputs);
+  return planOutputs(group, *faces, sums);
 }
 
-Result<void> ProjectedPlanner::planOutputs(const Group& group, Dispatch dispatch) {
-  if (const auto shaped = stage_.shape(dispatch, std::uint64_t{dispatch.push.count} * kWorkgroupSize); !shaped)
-    return shaped;
+Result<void> ProjectedPlanner::planOutputs(const Group& group, Dispatch dispatch, const BoundRange& sums) {
+  const auto tasks = wholeSlice(addOutputTasks(group));
+  if (!tasks) return tl::unexpected(tasks.error());
+  dispatch.kernel = Kernel::projected;
+  dispatch.push.count = static_cast<std::uint32_t>(group.tasks);
+  rangeOf(dispatch, Slot::tasks) = tasks->range;
+  rangeOf(dispatch, Slot::second) = sums;
+  if (auto shaped = stage_.shape(dispatch, std::uint64_t{dispatch.push.count} * kWorkgroupSize); !shaped) return shaped;
   for (const Window& window : stage_.windows(stage_.target(), group.outputs.begin, group.outputs.end - 1)) {
     stage_.bindTarget(dispatch, window);
     plan_.outputs.push_back(dispatch);

@@ -51,18 +51,18 @@ Result<void> VulkanSession::makeBuffers() {
 
 // What lies between the described values is never written: let it be zero, on the device as well.
 Result<void> VulkanSession::clearStaged() {
-  if (const auto begun = commands_.begin(VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT); !begun) return begun;
+  if (auto begun = commands_.begin(VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT); !begun) return begun;
   for (const SharedBuffer& one : buffers_) {
     if (!one.staged()) continue;
     core_->vk().vkCmdFillBuffer(commands_.commandBuffer(), one.range().buffer, 0, VK_WHOLE_SIZE, 0);
   }
-  if (const auto ended = commands_.end(); !ended) return ended;
-  if (const auto sent = commands_.submit(); !sent) return sent;
+  if (auto ended = commands_.end(); !ended) return ended;
+  if (auto sent = commands_.submit(); !sent) return sent;
   return commands_.wait();
 }
 
 Result<void> VulkanSession::record() {
-  if (const auto begun = commands_.begin(0); !begun) return begun;
+  if (auto begun = commands_.begin(0); !begun) return begun;
   recordInput();
   binding_->record(commands_.commandBuffer());
   recordOutput();
@@ -114,7 +114,7 @@ void VulkanSession::recordOutput() const {
 }
 
 Result<void> VulkanSession::run() {
-  if (const auto sent = commands_.submit(); !sent) return sent;
+  if (auto sent = commands_.submit(); !sent) return sent;
   return commands_.wait();
 }
 
@@ -125,7 +125,7 @@ Result<void> VulkanSession::refine(std::span<const float> points, std::span<floa
                             control().size(), this->refined().size()));
   }
   std::ranges::copy(points, control().begin());
-  if (const auto ran = run(); !ran) return ran;
+  if (auto ran = run(); !ran) return ran;
   std::ranges::copy(this->refined(), refined.begin());
   return {};
 }

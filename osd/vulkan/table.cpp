@@ -43,8 +43,8 @@ Result<void> checkDescriptors(const VulkanTableOptions& options) {
   const auto check = [](const BufferDescriptor& desc, const char* what) {
     return checkDescriptor(desc, desc.offset, 0, what);
   };
-  if (const auto sound = check(options.control, "the control points"); !sound) return sound;
-  if (const auto sound = check(options.refined, "the refined points"); !sound) return sound;
+  if (auto sound = check(options.control, "the control points"); !sound) return sound;
+  if (auto sound = check(options.refined, "the refined points"); !sound) return sound;
   if (options.control.length != options.refined.length) {
     return fail(ErrorCode::invalidOption,
                 fmt::format("control points have {} values and refined points {}: give both the same "
@@ -54,7 +54,7 @@ Result<void> checkDescriptors(const VulkanTableOptions& options) {
   for (const auto* layouts : {&options.vertexLimits, &options.faceLimits}) {
     for (const auto* desc : {&layouts->positions, &layouts->normals}) {
       if (!desc->has_value()) continue;
-      if (const auto sound = check(**desc, "the limits"); !sound) return sound;
+      if (auto sound = check(**desc, "the limits"); !sound) return sound;
       if ((*desc)->length != 3 || options.refined.length != 3) {
         return fail(ErrorCode::invalidOption,
                     "limits are computed of points with 3 values and have 3 values themselves");
@@ -97,7 +97,7 @@ class TableBuilder {
   Result<Steps> level(const LevelTable& table, PointBuffer source, PointBuffer target);
   Result<Steps> frames(const LimitRows& rows, const LimitLayouts& layouts, std::int64_t results, PointBuffer source,
                        PointBuffer positions, PointBuffer normals);
-  Result<Steps> addStage(StagePlan plan, const TableImage& image, TableStage stage);
+  Result<Steps> addStage(const StagePlan& plan, const TableImage& image, TableStage stage);
   Result<void> appendFrames(std::vector<TableDispatch>& phase, const LimitRows& rows, const LimitLayouts& layouts,
                             std::int64_t results, PointBuffer source);
   PointLayout layoutOf(PointBuffer points, std::int64_t count) const;
@@ -150,20 +150,20 @@ Result<void> TableBuilder::addLimits(const Far::LimitTable& limits) {
   std::vector<TableDispatch> first;
   if (!options.faceLimits.empty()) {
     state_.faceCount = limits.faces.elementCount;
-    const auto added = appendFrames(first, limits.faces, options.faceLimits, state_.faceCount, PointBuffer::refined);
+    auto added = appendFrames(first, limits.faces, options.faceLimits, state_.faceCount, PointBuffer::refined);
     if (!added) return added;
   }
   Steps child;
   std::vector<TableDispatch> last;
   if (!options.vertexLimits.empty()) {
     const std::int64_t vertices = state_.refinedCount;
-    const auto here = appendFrames(first, limits.verticesHere, options.vertexLimits, vertices, PointBuffer::refined);
+    auto here = appendFrames(first, limits.verticesHere, options.vertexLimits, vertices, PointBuffer::refined);
     if (!here) return here;
     if (!limits.vertices.batches.empty()) {
       auto steps = level(limits.child, PointBuffer::refined, PointBuffer::scratchEven);
       if (!steps) return tl::unexpected(steps.error());
       child = std::move(*steps);
-      const auto added = appendFrames(last, limits.vertices, options.vertexLimits, vertices, PointBuffer::scratchEven);
+      auto added = appendFrames(last, limits.vertices, options.vertexLimits, vertices, PointBuffer::scratchEven);
       if (!added) return added;
     }
   }
@@ -195,7 +195,7 @@ Result<TableBuilder::Steps> TableBuilder::level(const LevelTable& table, PointBu
   TableStage stage;
   stage.source = source;
   stage.target = target;
-  return addStage(std::move(*plan), image, std::move(stage));
+  return addStage(*plan, image, std::move(stage));
 }
 
 Result<TableBuilder::Steps> TableBuilder::frames(const LimitRows& rows, const LimitLayouts& layouts,
@@ -210,10 +210,10 @@ Result<TableBuilder::Steps> TableBuilder::frames(const LimitRows& rows, const Li
   stage.source = source;
   stage.target = positions;
   stage.normals = normals;
-  return addStage(std::move(*plan), image, std::move(stage));
+  return addStage(*plan, image, std::move(stage));
 }
 
-Result<TableBuilder::Steps> TableBuilder::addStage(StagePlan plan, const TableImage& image, TableStage stage) {
+Result<TableBuilder::Steps> TableBuilder::addStage(const StagePlan& plan, const TableImage& image, TableStage stage) {
   need(stage.source, plan.sourceBytes);
   need(PointBuffer::partials, plan.partialBytes);
   stage.sourceBytes = plan.sourceBytes;

@@ -7,6 +7,7 @@ honeycomb_test(osd_tests
 
 if(HONEYCOMB_SANITIZE STREQUAL "thread")
   honeycomb_program(seeded_race ${CMAKE_CURRENT_LIST_DIR}/seeded_race.cpp)
+  add_dependencies(tests_threads seeded_race)
   target_link_libraries(seeded_race PRIVATE honeycomb::far)
   add_dependencies(tests_threads seeded_race)
   add_test(NAME ThreadSanitizer.ReportsASeededRace COMMAND seeded_race)

@@ -5,7 +5,6 @@
 #include "far/schemes/akleman.h"
 #include "osd/cpu_evaluator.h"
 #include "tests/viewer/cube.h"
-#include "tests/viewer/driver.h"
 #include "tests/vulkan/fixture.h"
 
 namespace honeycomb::ViewerTests {
@@ -15,11 +14,6 @@ constexpr Viewer::RendererOptions kSize{120, 90};
 
 class PainterTest : public VulkanTests::VulkanTest {
  protected:
-  void SetUp() override {
-    keepDriverLoaded();
-    VulkanTest::SetUp();
-  }
-
   Far::Refinement refined(std::int32_t levels) const {
     const auto control = Far::Topology::create(cube.polygons());
     return Far::refine(control.value(), Far::akleman().value(), levels, {.limits = true, .memoryLimit = 0}).value();

@@ -7,7 +7,6 @@
 
 #include "io/png.h"
 #include "tests/viewer/cube.h"
-#include "tests/viewer/driver.h"
 #include "tests/vulkan/fixture.h"
 
 namespace honeycomb::ViewerTests {
@@ -29,7 +28,6 @@ Viewer::View frontView(const Cube& cube) {
 class RendererTest : public VulkanTests::VulkanTest {
  protected:
   void SetUp() override {
-    keepDriverLoaded();
     VulkanTest::SetUp();
     auto created = Viewer::Renderer::create(context->device(), kSize);
     ASSERT_TRUE(created) << created.error().message;
