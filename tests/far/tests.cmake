@@ -32,6 +32,11 @@ target_link_libraries(honeycomb_test_support PUBLIC honeycomb::far honeycomb::os
 target_compile_definitions(honeycomb_test_support PRIVATE HONEYCOMB_TEST_DATA="${CMAKE_CURRENT_LIST_DIR}/../golden")
 
 honeycomb_test(far_tests
-  LABELS threads
   SOURCES ${honeycomb_far_tests}
   LIBRARIES honeycomb::test_support honeycomb::far honeycomb::osd honeycomb::io)
+
+# Meshes large enough for every parallel loop to be cut: what the thread sanitizer has to see of far.
+honeycomb_test(far_thread_tests
+  LABELS threads
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/determinism_test.cpp
+  LIBRARIES honeycomb::test_support honeycomb::far honeycomb::osd)
