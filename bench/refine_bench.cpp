@@ -1,5 +1,5 @@
 // Building tables and refining one frame: a torus of 10,000 quads, Akleman-Srinivasan, levels 2 to 5.
-// Every frame benchmark reports time per final-level vertex (intermediate levels included) as ns_per_vertex.
+// Every frame benchmark reports time per final-level vertex (intermediate levels included) as per_vertex.
 
 #include <benchmark/benchmark.h>
 
