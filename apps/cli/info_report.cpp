@@ -7,6 +7,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/json_text.h"
 #include "apps/cli/mesh_facts.h"
+#include "far/tables/bounds.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -85,7 +86,7 @@ std::string droppedText(const MeshInput& input) {
 
 std::string meshText(const MeshReport& report) {
   const MeshFacts facts = gatherFacts(report.topology);
-  const Bounds bounds = findBounds(report.input.mesh);
+  const Far::Box<double> bounds = Far::bounds<double>(report.input.mesh.positions);
   const Far::Topology& topology = report.topology;
   std::string text = report.input.file + "\n";
   const auto row = [&text](std::string_view name, const std::string& value) {
@@ -108,7 +109,7 @@ std::string meshText(const MeshReport& report) {
 
 std::string meshJson(const MeshReport& report) {
   const MeshFacts facts = gatherFacts(report.topology);
-  const Bounds bounds = findBounds(report.input.mesh);
+  const Far::Box<double> bounds = Far::bounds<double>(report.input.mesh.positions);
   return jsonText({{"file", report.input.file},
                    {"vertices", report.topology.vertexCount()},
                    {"edges", report.topology.edgeCount()},

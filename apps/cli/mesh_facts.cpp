@@ -77,16 +77,4 @@ Histogram countSides(const Far::Polygons& polygons) {
   return histogram;
 }
 
-Bounds findBounds(const Io::ObjMesh& mesh) {
-  Bounds bounds;
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const double x = mesh.positions[i];
-    double& low = bounds.low[i % 3];
-    double& high = bounds.high[i % 3];
-    low = i < 3 ? x : std::min(low, x);
-    high = i < 3 ? x : std::max(high, x);
-  }
-  return bounds;
-}
-
 }  // namespace honeycomb::Cli

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <vector>
 
 #include "far/topology/topology.h"
-#include "io/obj.h"
 
 namespace honeycomb::Cli {
 
@@ -24,10 +22,5 @@ MeshFacts gatherFacts(const Far::Topology& topology);
 
 /// Faces by their number of sides; needs no manifold.
 Histogram countSides(const Far::Polygons& polygons);
-
-struct Bounds {
-  std::array<double, 3> low{}, high{};
-};
-Bounds findBounds(const Io::ObjMesh& mesh);
 
 }  // namespace honeycomb::Cli

@@ -5,6 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 
+#include "far/tables/bounds.h"
+
 namespace honeycomb::Viewer {
 namespace {
 
@@ -53,13 +55,8 @@ Spread spreadOf(std::span<const float> points, const Axes& axes, float openX, fl
 
 Bounds boundsOf(std::span<const float> points) {
   if (points.size() < 3) return {};
-  Bounds bounds{glm::vec3(std::numeric_limits<float>::max()), glm::vec3(std::numeric_limits<float>::lowest())};
-  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
-    const glm::vec3 point(points[i], points[i + 1], points[i + 2]);
-    bounds.lower = glm::min(bounds.lower, point);
-    bounds.upper = glm::max(bounds.upper, point);
-  }
-  return bounds;
+  const Far::Box<float> box = Far::bounds<float>(points);
+  return {glm::vec3(box.low[0], box.low[1], box.low[2]), glm::vec3(box.high[0], box.high[1], box.high[2])};
 }
 
 Bounds unite(const Bounds& a, const Bounds& b) {

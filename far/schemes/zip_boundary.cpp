@@ -15,12 +15,6 @@ Row cutPoint(const Topology& parent, std::int32_t near, std::int32_t far) {
   return {{near, 1 - w}, {far, w}};
 }
 
-std::int32_t boundaryNeighbourBefore(const Topology& parent, std::int32_t outgoing) {
-  std::int32_t p = parent.prev(outgoing);
-  while (parent.twin(p) >= 0) p = parent.prev(parent.twin(p));
-  return parent.vert(p);
-}
-
 /// The fixed corner of the face of h: its loop starts with the edge into the corner.
 std::int32_t cornerOfFace(const Topology& parent, std::int32_t h) {
   return parent.vert(parent.faceOffsets()[static_cast<std::size_t>(parent.face(h))] + 1);
@@ -43,9 +37,8 @@ Row zipBoundaryRow(const Topology& parent, const NewPoint& point, double vertexW
     case PointKind::cornerFaceCorner:
       return {{cornerOfFace(parent, point.halfEdge), 1.0 / 3}, {v, 1.0 / 3}, {w, 1.0 / 3}};
     case PointKind::boundaryVertex:
-      return {{v, 1 - vertexWeight},
-              {w, vertexWeight / 2},
-              {boundaryNeighbourBefore(parent, point.halfEdge), vertexWeight / 2}};
+      return {
+          {v, 1 - vertexWeight}, {w, vertexWeight / 2}, {parent.vert(parent.enteringBoundary(v)), vertexWeight / 2}};
     case PointKind::halfFaceCorner:
       break;
   }

@@ -138,12 +138,7 @@ class VerticesHere {
   }
 
  private:
-  std::int32_t entering(std::int32_t v) const {
-    std::int32_t p = level_.prev(level_.outgoing(v));
-    while (level_.twin(p) >= 0) p = level_.prev(level_.twin(p));
-    return p;
-  }
-  std::int32_t before(std::int32_t v) const { return level_.vert(entering(v)); }
+  std::int32_t before(std::int32_t v) const { return level_.vert(level_.enteringBoundary(v)); }
   std::int32_t after(std::int32_t v) const { return level_.dest(level_.outgoing(v)); }
   /// In the limit (1,8,1)/10 of a boundary mid-point; a fixed corner counts double.
   std::int32_t neighbourWeight(std::int32_t v) const { return level_.vertexTag(v) == VertexTag::fixedCorner ? 2 : 1; }

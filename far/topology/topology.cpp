@@ -120,6 +120,12 @@ std::int32_t Topology::valence(std::int32_t v) const {
   return facesAt(v) + (onBoundary(v) ? 1 : 0);
 }
 
+std::int32_t Topology::enteringBoundary(std::int32_t v) const {
+  std::int32_t p = prev(outgoing(v));
+  while (twin(p) >= 0) p = prev(twin(p));
+  return p;
+}
+
 FaceParent Topology::parentKind(std::int32_t f) const {
   const auto after = std::upper_bound(a_.runs.begin(), a_.runs.end(), f,
                                       [](std::int32_t face, const FaceRun& run) { return face < run.firstFace; });

@@ -114,6 +114,8 @@ class Topology {
   /// Number of faces at v: walks round it.
   std::int32_t facesAt(std::int32_t v) const;
 
+  /// The boundary half-edge that enters a boundary vertex: walks round it.
+  std::int32_t enteringBoundary(std::int32_t v) const;
   /// What face f was made from; finds its run by bisection.
   FaceParent parentKind(std::int32_t f) const;
 

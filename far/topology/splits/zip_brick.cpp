@@ -59,7 +59,7 @@ class BrickSlots : public ZipSlots {
     if (!own(v)) return;
     const std::int32_t first = parent().outgoing(v);
     if (parent().onBoundary(v)) {
-      const std::int32_t entering = enteringEdge(v);
+      const std::int32_t entering = parent().enteringBoundary(v);
       slots.push_back(slot(entering, Z));
       if (parent().vertexTag(v) == VertexTag::corner) slots.push_back(slot(entering, W));
       if (!isCut(first)) slots.push_back(slot(first, Y));
@@ -141,13 +141,6 @@ class BrickSlots : public ZipSlots {
   bool own(std::int32_t v) const {
     const VertexTag tag = parent().vertexTag(v);
     return tag != VertexTag::mid && tag != VertexTag::fixedCorner;
-  }
-
-  /// The boundary half-edge that enters a boundary vertex: the one before the last outgoing half-edge.
-  std::int32_t enteringEdge(std::int32_t v) const {
-    std::int32_t p = parent().prev(parent().outgoing(v));
-    while (parent().twin(p) >= 0) p = parent().prev(parent().twin(p));
-    return p;
   }
 
   /// The vertex slot of v'_h, h not a cut.
