@@ -87,7 +87,7 @@ void BM_Frame(benchmark::State& state) {
   const Far::Refinement refinement = torusRefinement(levels);
   const std::vector<float> control = torusPoints();
   const std::int64_t vertices = refinement.last().topology.vertexCount();
-  std::vector<float> refined(static_cast<std::size_t>(3 * vertices));
+  std::vector<float> refined(3 * static_cast<std::size_t>(refinement.last().pointCount()));
   Evaluator evaluator;
   for (auto _ : state) {
     (void)evaluator.template evaluate<float>(refinement, levels, {control, {}}, {refined, {}});

@@ -17,12 +17,16 @@ namespace honeycomb::Io {
 struct ObjMesh {
   Far::Polygons polygons;
   std::vector<double> positions;              ///< x y z per vertex
+  std::vector<double> colours;                ///< r g b per vertex, white where the file names none; empty when it
+                                              ///< names none at all
   std::vector<double> texcoords;              ///< u v per vt
   std::vector<double> normals;                ///< x y z per vn
   std::vector<std::int32_t> cornerTexcoords;  ///< per corner: its vt or -1; empty when the file names none
   std::vector<std::int32_t> cornerNormals;    ///< per corner: its vn or -1; empty when the file names none
   std::vector<std::int64_t> vertexLines;      ///< 1-based line of each v
   std::vector<std::int64_t> faceLines;        ///< 1-based line of each f
+  std::vector<std::int64_t> creaseLines;      ///< 1-based line of each of polygons.creases
+  std::vector<std::int64_t> cornerLines;      ///< 1-based line of each of polygons.corners
 
   std::span<const double> position(std::int64_t v) const {
     return std::span<const double>(positions).subspan(static_cast<std::size_t>(3 * v), 3);
@@ -30,13 +34,14 @@ struct ObjMesh {
 };
 
 /// Reads an OBJ file: negative indices, v/vt/vn in all forms, CRLF, comments, continued lines, any line length. A
-/// positive index may name what the file defines further down. A vertex may carry a weight w or a colour, which are
-/// passed over; a weight or a missing v of a texture coordinate is passed over or 0. Linear in the file's size. Errors:
-/// unreadable; invalidFile with the message "FILE:LINE: what and what to do" and the line as element, for binary
-/// garbage, numbers that can't be read, faces of fewer than three sides, a zero index, an index out of range, and with
-/// "FILE: ..." for no vertices or no faces; invalidPositions (element: the vertex, counted from 0) for NaN or infinity
-/// in a position, the same in a texture coordinate or normal being invalidFile; tooLarge past 2^31 - 1 vertices or
-/// corners; outOfMemory. Whether the polygons form a manifold is Far::Topology's business.
+/// positive index may name what the file defines further down. A vertex may carry a weight w, which is passed over, and
+/// a colour; a weight or a missing v of a texture coordinate is passed over or 0. Tags for creases and corners: see
+/// ObjTags. Linear in the file's size. Errors: unreadable; invalidFile with the message "FILE:LINE: what and what to
+/// do" and the line as element, for binary garbage, numbers that can't be read, faces of fewer than three sides, a zero
+/// index, an index out of range, tags that can't be read or obeyed, and with "FILE: ..." for no vertices or no faces;
+/// invalidPositions (element: the vertex, counted from 0) for NaN or infinity in a position, the same in anything else
+/// being invalidFile; tooLarge past 2^31 - 1 vertices or corners; outOfMemory. Whether the polygons form a manifold,
+/// and whether creases lie on their edges, is Far::Topology's business.
 Result<ObjMesh> readObj(const std::filesystem::path& path);
 
 /// The same from a text in memory; `name` stands for the file in messages. `maxElements` limits vertices and corners.
@@ -50,12 +55,15 @@ struct ObjContent {
   std::span<const Real> normals;              ///< one a vertex (written as vn and v//vn) or empty
   std::span<const std::int32_t> faceOffsets;  ///< faces + 1
   std::span<const std::int32_t> faceVertices;
+  std::span<const Real> colours = {};                  ///< r g b per vertex (written behind its position) or empty
+  std::span<const Real> texcoords = {};                ///< u v each
+  std::span<const std::int32_t> cornerTexcoords = {};  ///< per corner: one of them, -1 for none; or empty
 };
 
 /// Writes an OBJ with coordinates that read back to the same bits (9 significant digits for float, 17 for double).
 /// The file appears under `path` only when whole. Errors: unwritable; before anything is written: invalidOption for
-/// spans whose lengths don't fit together, invalidMesh (element: the face) for a vertex out of range, invalidPositions
-/// (element: the vertex) for NaN or infinity, which no reader takes.
+/// spans whose lengths don't fit together, invalidMesh (element: the face) for a vertex or texture coordinate out of
+/// range, invalidPositions (element: the vertex or texture coordinate) for NaN or infinity, which no reader takes.
 template <class Real>
 Result<void> writeObj(const std::filesystem::path& path, const ObjContent<Real>& content);
 

@@ -8,6 +8,7 @@
 
 #include "io/mapped_file.h"
 #include "io/obj.h"
+#include "io/obj_tags.h"
 #include "io/text_cursor.h"
 
 namespace honeycomb::Io {
@@ -15,13 +16,15 @@ namespace {
 
 constexpr std::size_t kHeadBytes = 4096;  // looked at to tell text from binary data
 constexpr std::size_t kQuotedBytes = 40;  // of a word in a message
+constexpr double kWhite = 1;              // each part of the colour of a vertex that has none where others do
 
 // All statements of the format; a file that begins with anything else is something else.
-constexpr std::array<std::string_view, 44> kStatements{
-    "v",        "vt",       "vn",     "vp",     "f",          "fo",        "l",    "p",    "g",     "o",    "s",
-    "mg",       "usemtl",   "mtllib", "usemap", "maplib",     "cstype",    "deg",  "bmat", "step",  "curv", "curv2",
-    "surf",     "parm",     "trim",   "hole",   "scrv",       "sp",        "end",  "con",  "bevel", "lod",  "maxlod",
-    "d_interp", "c_interp", "ctech",  "stech",  "shadow_obj", "trace_obj", "call", "csh",  "bsp",   "bzp",  "cdc"};
+constexpr std::array<std::string_view, 45> kStatements{
+    "v",     "vt",         "vn",        "vp",     "f",      "fo",     "l",        "p",        "g",
+    "o",     "s",          "mg",        "usemtl", "mtllib", "usemap", "maplib",   "cstype",   "deg",
+    "bmat",  "step",       "curv",      "curv2",  "surf",   "parm",   "trim",     "hole",     "scrv",
+    "sp",    "end",        "con",       "bevel",  "lod",    "maxlod", "d_interp", "c_interp", "ctech",
+    "stech", "shadow_obj", "trace_obj", "call",   "csh",    "bsp",    "bzp",      "cdc",      "t"};
 
 // What a face corner can name: the words for messages, and how many the file has.
 struct Element {
@@ -49,7 +52,7 @@ std::string quoted(std::string_view word) {
 class ObjParser {
  public:
   ObjParser(std::string_view text, std::string_view name, std::int64_t maxElements)
-      : text_(text), name_(name), maxElements_(maxElements), cursor_(text) {}
+      : text_(text), name_(name), maxElements_(maxElements), cursor_(text), tags_(name) {}
 
   Result<ObjMesh> parse() {
     if (Result<void> head = checkHead(); !head) return tl::unexpected<Error>(head.error());
@@ -59,6 +62,8 @@ class ObjParser {
     }
     if (Result<void> whole = checkWhole(); !whole) return tl::unexpected<Error>(whole.error());
     mesh_.polygons.vertexCount = static_cast<std::int32_t>(vertices_.count);
+    if (!mesh_.colours.empty()) mesh_.colours.resize(mesh_.positions.size(), kWhite);
+    if (Result<void> tagged = tags_.finish(mesh_); !tagged) return tl::unexpected<Error>(tagged.error());
     return std::move(mesh_);
   }
 
@@ -75,6 +80,7 @@ class ObjParser {
   Result<void> statement(std::string_view keyword);
   Result<void> checkUnknown(std::string_view keyword) const;
   Result<void> vertex();
+  Result<void> colour(std::span<const double> rgb);
   Result<void> texcoord();
   Result<void> normal();
   Result<void> face();
@@ -89,6 +95,7 @@ class ObjParser {
   std::string_view name_;
   std::int64_t maxElements_;
   TextCursor cursor_;
+  ObjTags tags_;
   std::int64_t statementLine_ = 0;
   bool begun_ = false;  // a statement of the format was seen
   Element vertices_{"vertex", "vertices"};
@@ -118,6 +125,10 @@ Result<void> ObjParser::statement(std::string_view keyword) {
   if (keyword == "f" || keyword == "fo") return face();  // fo: a face in files of the format's first version
   if (keyword == "vn") return normal();
   if (keyword == "vt") return texcoord();
+  if (keyword == "t") {
+    begun_ = true;
+    return tags_.read(cursor_);
+  }
   if (Result<void> sound = checkUnknown(keyword); !sound) return sound;
   begun_ = true;
   cursor_.skipStatement();
@@ -146,8 +157,9 @@ Result<std::size_t> ObjParser::numbers(std::span<double> values) {
 
 // x y z, then nothing, a weight w, a colour r g b, or both.
 Result<void> ObjParser::vertex() {
-  std::array<double, 3> point{};
-  const Result<std::size_t> count = numbers(point);
+  std::array<double, 7> values{};
+  const std::span<const double> point(values.data(), 3);
+  const Result<std::size_t> count = numbers(values);
   if (!count) return tl::unexpected<Error>(count.error());
   if (*count != 3 && *count != 4 && *count != 6 && *count != 7) {
     return failAt(statementLine_, fmt::format("a vertex has {} numbers; write v x y z", *count));
@@ -163,9 +175,22 @@ Result<void> ObjParser::vertex() {
     return fail(ErrorCode::tooLarge,
                 fmt::format("{}:{}: more than {} vertices; split the mesh", name_, statementLine_, maxElements_));
   }
+  if (*count >= 6) {
+    if (Result<void> read = colour(std::span(values).subspan(*count - 3, 3)); !read) return read;
+  }
   mesh_.positions.insert(mesh_.positions.end(), point.begin(), point.end());
   mesh_.vertexLines.push_back(statementLine_);
   ++vertices_.count;
+  return {};
+}
+
+// Vertices from before the first with a colour become white when that one comes.
+Result<void> ObjParser::colour(std::span<const double> rgb) {
+  if (!std::all_of(rgb.begin(), rgb.end(), [](double x) { return std::isfinite(x); })) {
+    return failAt(statementLine_, "a colour is not finite; give it finite numbers or remove it");
+  }
+  mesh_.colours.resize(mesh_.positions.size(), kWhite);
+  mesh_.colours.insert(mesh_.colours.end(), rgb.begin(), rgb.end());
   return {};
 }
 

@@ -17,6 +17,8 @@ using Kernels::View;
 
 /// Points below which a batch stays on the calling thread: about 10 us of work, several times the cost of a task.
 constexpr std::int64_t kPointsPerTask = 4096;
+/// A row from the control points has about ten times the entries of a row from the level before.
+constexpr std::int64_t kPointsPerStencil = 10;
 
 /// Runs body on [0, count) in one piece or in parallel pieces of about kPointsPerTask points.
 template <class Body>
@@ -47,6 +49,24 @@ void forSides(std::int32_t sides, const Body& body) {
   }
 }
 
+/// The same for the widths of dense rows: mid-points and edge points, corners with a central control vertex, the
+/// vertices of half-boxes, central control vertices of hexagons.
+template <class Body>
+void forWidth(std::int32_t width, const Body& body) {
+  switch (width) {
+    case 2:
+      return body(std::integral_constant<int, 2>{});
+    case 3:
+      return body(std::integral_constant<int, 3>{});
+    case 4:
+      return body(std::integral_constant<int, 4>{});
+    case 7:
+      return body(std::integral_constant<int, 7>{});
+    default:
+      return body(std::integral_constant<int, 0>{});
+  }
+}
+
 /// All batches of a level on `Width` values of each point. They write different points, so their order has no meaning.
 template <int Width, class Real>
 void evaluatePiece(CpuEvaluator::Threads threads, const Far::LevelTable& table, const View<const Real>& in,
@@ -55,6 +75,13 @@ void evaluatePiece(CpuEvaluator::Threads threads, const Far::LevelTable& table, 
     split(threads, batch.faceCount, batch.sides, [&](std::int64_t begin, std::int64_t end) {
       forSides(batch.sides, [&](auto sides) {
         Kernels::circulantFaces<decltype(sides)::value, Width>(table, batch, in, out, begin, end);
+      });
+    });
+  }
+  for (const Far::DenseRows& batch : table.dense) {
+    split(threads, batch.rowCount, 1, [&](std::int64_t begin, std::int64_t end) {
+      forWidth(batch.width, [&](auto width) {
+        Kernels::denseRows<decltype(width)::value, Width>(table, batch, in, out, begin, end);
       });
     });
   }
@@ -67,28 +94,35 @@ void evaluatePiece(CpuEvaluator::Threads threads, const Far::LevelTable& table, 
         [&](std::int64_t begin, std::int64_t end) { Kernels::looseRows<Width>(table, in, out, begin, end); });
 }
 
-/// A level on points of any length, in pieces of up to four values.
-template <class Real>
-void evaluateLevel(CpuEvaluator::Threads threads, const Far::LevelTable& table, const Points<Real>& source,
-                   const PointsOut<Real>& target) {
+/// Calls piece(std::integral_constant<Width>, in, out) for points of any length, in pieces of up to four values.
+template <class Real, class Piece>
+void forPieces(const Points<Real>& source, const PointsOut<Real>& target, const Piece& piece) {
   for (std::int32_t done = 0; done < source.desc.length; done += Kernels::kPiece) {
     const View<const Real> in{source.data.data() + source.desc.offset + done, source.desc.stride};
     const View<Real> out{target.data.data() + target.desc.offset + done, target.desc.stride};
     switch (std::min(Kernels::kPiece, source.desc.length - done)) {
       case 1:
-        evaluatePiece<1>(threads, table, in, out);
+        piece(std::integral_constant<int, 1>{}, in, out);
         break;
       case 2:
-        evaluatePiece<2>(threads, table, in, out);
+        piece(std::integral_constant<int, 2>{}, in, out);
         break;
       case 3:
-        evaluatePiece<3>(threads, table, in, out);
+        piece(std::integral_constant<int, 3>{}, in, out);
         break;
       default:
-        evaluatePiece<4>(threads, table, in, out);
+        piece(std::integral_constant<int, 4>{}, in, out);
         break;
     }
   }
+}
+
+template <class Real>
+void evaluateLevel(CpuEvaluator::Threads threads, const Far::LevelTable& table, const Points<Real>& source,
+                   const PointsOut<Real>& target) {
+  forPieces(source, target, [&](auto width, const View<const Real>& in, const View<Real>& out) {
+    evaluatePiece<decltype(width)::value>(threads, table, in, out);
+  });
 }
 
 template <class Real>
@@ -215,6 +249,21 @@ Result<void> CpuEvaluator::faceLimits(const Far::LimitTable& limits, const Point
   return {};
 }
 
+template <class Real>
+Result<void> CpuEvaluator::evaluate(const Far::StencilTable& table, const Points<Real>& control,
+                                    const PointsOut<Real>& target, Far::StencilWeights which) {
+  if (which != Far::StencilWeights::position && !table.hasTangents()) {
+    return fail(ErrorCode::invalidOption, "the stencil table has no tangents; build one of limits");
+  }
+  if (auto ok = check(control, table.sourceCount, target, table.rowCount()); !ok) return ok;
+  forPieces(control, target, [&](auto width, const View<const Real>& in, const View<Real>& out) {
+    split(threads_, table.rowCount(), kPointsPerStencil, [&](std::int64_t begin, std::int64_t end) {
+      Kernels::stencilRows<decltype(width)::value>(table, which, in, out, begin, end);
+    });
+  });
+  return {};
+}
+
 #define HONEYCOMB_INSTANTIATE(Real)                                                                                   \
   template Result<void> CpuEvaluator::evaluate(const Far::LevelTable&, const Points<Real>&, const PointsOut<Real>&);  \
   template Result<void> CpuEvaluator::evaluate(const Far::Refinement&, std::int32_t, const Points<Real>&,             \
@@ -222,7 +271,9 @@ Result<void> CpuEvaluator::faceLimits(const Far::LimitTable& limits, const Point
   template Result<void> CpuEvaluator::vertexLimits(const Far::LimitTable&, const Points<Real>&,                       \
                                                    const PointsOut<Real>&, const PointsOut<Real>&);                   \
   template Result<void> CpuEvaluator::faceLimits(const Far::LimitTable&, const Points<Real>&, const PointsOut<Real>&, \
-                                                 const PointsOut<Real>&);
+                                                 const PointsOut<Real>&);                                             \
+  template Result<void> CpuEvaluator::evaluate(const Far::StencilTable&, const Points<Real>&, const PointsOut<Real>&, \
+                                               Far::StencilWeights);
 HONEYCOMB_INSTANTIATE(float)
 HONEYCOMB_INSTANTIATE(double)
 #undef HONEYCOMB_INSTANTIATE

@@ -6,6 +6,7 @@
 
 #include "far/base/result.h"
 #include "far/tables/refinement.h"
+#include "far/tables/stencil_table.h"
 #include "osd/buffer_descriptor.h"
 
 namespace honeycomb::Osd {
@@ -39,6 +40,12 @@ class CpuEvaluator {
   template <class Real>
   Result<void> faceLimits(const Far::LimitTable& limits, const Points<Real>& points, const PointsOut<Real>& positions,
                           const PointsOut<Real>& normals);
+
+  /// Point r of the target from row r of a stencil table; limits have three arrays of weights to choose from. The same
+  /// bits as table.asLevelTable(). Errors also: invalidOption for tangents of a table without.
+  template <class Real>
+  Result<void> evaluate(const Far::StencilTable& table, const Points<Real>& control, const PointsOut<Real>& target,
+                        Far::StencilWeights which = Far::StencilWeights::position);
 
  private:
   template <class Real>

@@ -10,6 +10,7 @@
 #include "far/base/index.h"
 #include "far/tables/level_table.h"
 #include "far/tables/limit_table.h"
+#include "far/tables/stencil_table.h"
 #include "osd/buffer_descriptor.h"
 
 /// The arithmetic of every batch kind, once, for the CPU. The order of operations is that written down with the
@@ -145,11 +146,35 @@ void projectedFace(const Far::LevelTable& table, const Far::ProjectedFace& face,
   const Real* y = x + face.outputs;
   const Real* z = y + face.outputs;
   for (std::int32_t i = 0; i < face.outputs; ++i) {
-    const std::int32_t a = face.firstCorner + i;
+    const std::int32_t turned = face.firstCorner + i;
+    const std::int32_t a = turned < face.corners ? turned : turned - face.corners;
     const std::int32_t b = a + 1 == face.corners ? 0 : a + 1;
     const auto here = w[0] * load<Width>(in.point(index[a])) + w[1] * load<Width>(in.point(index[b]));
     store(((here + x[i] * sum) + y[i] * cosine) + z[i] * sine, out.point(face.firstOutput + i));
   }
+}
+
+/// Rows begin .. end-1 of a batch. N is its width where that is known to the compiler, else 0.
+template <int N, int Width, class Real>
+void denseRows(const Far::LevelTable& table, const Far::DenseRows& batch, const View<const Real>& in,
+               const View<Real>& out, std::int64_t begin, std::int64_t end) {
+  const std::int32_t n = N > 0 ? N : batch.width;
+  const Real* w = table.weightsAs<Real>().data() + batch.firstWeight;
+  const std::int32_t* index = table.indices.data() + batch.firstIndex + begin * n;
+  for (std::int64_t g = begin; g < end; ++g, index += n) {
+    auto sum = w[0] * load<Width>(in.point(index[0]));
+    for (std::int32_t j = 1; j < n; ++j) sum = sum + w[j] * load<Width>(in.point(index[j]));
+    store(sum, out.point(static_cast<std::int32_t>(batch.firstOutput + g)));
+  }
+}
+
+/// (weights[first] p_first + weights[first+1] p_first+1) + ... up to, without, `last`: one row of compressed rows.
+template <int Width, class Real>
+std::array<Real, at(Width)> rowSum(const Real* weights, const std::int32_t* index, std::int32_t first,
+                                   std::int32_t last, const View<const Real>& in) {
+  auto sum = weights[first] * load<Width>(in.point(index[first]));
+  for (std::int32_t b = first + 1; b < last; ++b) sum = sum + weights[b] * load<Width>(in.point(index[b]));
+  return sum;
 }
 
 /// Rows begin .. end-1.
@@ -160,11 +185,19 @@ void looseRows(const Far::LevelTable& table, const View<const Real>& in, const V
   const Real* weights = table.weightsAs<Real>().data() + rows.firstWeight;
   const std::int32_t* index = table.indices.data() + rows.firstIndex;
   for (std::int64_t r = begin; r < end; ++r) {
-    const std::int32_t last = rows.offsets[at(r) + 1];
-    std::int32_t b = rows.offsets[at(r)];
-    auto sum = weights[b] * load<Width>(in.point(index[b]));
-    for (++b; b < last; ++b) sum = sum + weights[b] * load<Width>(in.point(index[b]));
-    store(sum, out.point(rows.outputs[at(r)]));
+    store(rowSum<Width>(weights, index, rows.offsets[at(r)], rows.offsets[at(r) + 1], in),
+          out.point(rows.outputs[at(r)]));
+  }
+}
+
+/// Rows begin .. end-1, row r to point r.
+template <int Width, class Real>
+void stencilRows(const Far::StencilTable& table, Far::StencilWeights which, const View<const Real>& in,
+                 const View<Real>& out, std::int64_t begin, std::int64_t end) {
+  const Real* weights = table.weightsAs<Real>(which).data();
+  for (std::int64_t r = begin; r < end; ++r) {
+    store(rowSum<Width>(weights, table.indices.data(), table.offsets[at(r)], table.offsets[at(r) + 1], in),
+          out.point(static_cast<std::int32_t>(r)));
   }
 }
 

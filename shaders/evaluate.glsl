@@ -30,7 +30,7 @@ layout(push_constant) uniform Push {
   uint normalOffset;
   uint normalBegin;
   uint normalSize;
-  float weights[16];  // of a circulant of up to 16 sides
+  float weights[16];  // of a circulant of up to 16 sides, or of dense rows
 } push;
 
 uint invocation() { return gl_GlobalInvocationID.y * push.rowLength + gl_GlobalInvocationID.x; }

@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/cli/bake_frames.h"
+#include "apps/cli/central_points.h"
 #include "apps/cli/commands.h"
 #include "apps/cli/formats.h"
 #include "apps/cli/interrupt.h"
 #include "apps/cli/json_text.h"
+#include "apps/cli/primvars.h"
 #include "apps/cli/surface_options.h"
 #include "far/base/index.h"
 #include "io/pc2.h"
@@ -30,6 +32,8 @@ Result<void> checkFiles(const BakeCommand& command) {
   for (const std::string& cache : {command.cache, command.output})
     if (const auto known = checkCacheFormat(cache); !known) return known;
   std::vector<std::filesystem::path> taken{command.surface.input, command.cache};
+  if (command.surface.scheme.given(kCentralFileOption))
+    taken.emplace_back(command.surface.scheme.text(kCentralFileOption));
   if (const auto writable = checkOutput(command.output, taken); !writable) return writable;
   if (command.mesh.empty()) return {};
   if (const auto known = meshFormat(command.mesh); !known) return tl::unexpected(known.error());
@@ -47,12 +51,17 @@ Result<Io::Pc2Reader> openCache(const BakeCommand& command, const MeshInput& inp
   return cache;
 }
 
-Result<void> writeMesh(const BakeCommand& command, const Far::Refinement& refinement,
-                       const std::vector<float>& points) {
+Result<void> writeMesh(const BakeCommand& command, const BakeFrames& job, const std::vector<float>& points) {
   const Result<const MeshFormat*> format = meshFormat(command.mesh);
   if (!format) return tl::unexpected(format.error());
-  const Far::Topology& topology = refinement.last().topology;
-  return (*format)->write(command.mesh, Io::ObjContent<float>{points, {}, topology.faceOffsets(), topology.vert()});
+  const auto evaluator = job.backend.evaluator(job.refinement, Normals::none);
+  if (!evaluator) return tl::unexpected(evaluator.error());
+  const auto primvars = refinePrimvars<float>(job.input, job.refinement, job.central.given, Seams::refine, **evaluator);
+  if (!primvars) return tl::unexpected(inFile(job.input.file, primvars.error()));
+  const Far::Topology& topology = job.refinement.last().topology;
+  Io::ObjContent<float> content{points, {}, topology.faceOffsets(), topology.vert()};
+  primvars->addTo(content);
+  return (*format)->write(command.mesh, content);
 }
 
 /// Both files or neither: the mesh is written first, and removed again where the cache can't be finished.
@@ -62,7 +71,7 @@ Result<void> writeFiles(const BakeCommand& command, const BakeFrames& job, Io::P
   if (const auto baked = bakeFrames(job, session, writer, command.mesh.empty() ? nullptr : &firstFrame); !baked)
     return baked;
   if (!command.mesh.empty())
-    if (const auto written = writeMesh(command, job.refinement, firstFrame); !written) return written;
+    if (const auto written = writeMesh(command, job, firstFrame); !written) return written;
   const Result<void> finished = writer.finish();
   std::error_code ignored;
   if (!finished && !command.mesh.empty()) std::filesystem::remove(command.mesh, ignored);
@@ -73,17 +82,19 @@ Result<void> printSummary(const BakeCommand& command, const Session& session, co
                           const BakeFrames& job, double buildMs, double bakeMs) {
   const Far::Topology& refined = job.refinement.last().topology;
   if (!session.json) {
-    printNote(session, fmt::format("{}: {} of {} vertices at level {}", command.output,
-                                   counted(job.range.count(), "frame"), grouped(refined.vertexCount()), plan.levels));
+    printNote(session,
+              fmt::format("{}: {} of {} vertices at level {}", command.output, counted(job.range.count(), "frame"),
+                          grouped(refined.vertexCount()), plan.mesh.chain.levels()));
     return {};
   }
   const nlohmann::ordered_json json{{"input", command.surface.input},
                                     {"cache", command.cache},
                                     {"output", command.output},
                                     {"scheme", command.surface.scheme.scheme},
-                                    {"levels", plan.levels},
+                                    {"steps", stepNames(plan.mesh.chain)},
+                                    {"levels", plan.mesh.chain.levels()},
                                     {"backend", plan.backend->name()},
-                                    {"dropped_vertices", plan.input.dropped()},
+                                    {"dropped_vertices", plan.mesh.input.dropped()},
                                     {"frames", job.range.count()},
                                     {"frames_at_once", job.framesAtOnce},
                                     {"vertices", refined.vertexCount()},
@@ -99,18 +110,22 @@ Result<void> bake(const BakeCommand& command, const Session& session) {
   if (const auto checked = checkFiles(command); !checked) return checked;
   const Result<SurfacePlan> plan = planSurface(command.surface, sizeof(float));
   if (!plan) return tl::unexpected(plan.error());
-  const Result<Io::Pc2Reader> cache = openCache(command, plan->input);
+  const Result<Io::Pc2Reader> cache = openCache(command, plan->mesh.input);
   if (!cache) return tl::unexpected(cache.error());
   const Result<FrameRange> range = parseFrameRange(command.frames, cache->info().frameCount);
   if (!range) return tl::unexpected(range.error());
 
+  const Result<CentralPoints> central =
+      readCentralCache(command.surface.scheme, plan->mesh.input, cache->info().frameCount);
+  if (!central) return tl::unexpected(central.error());
+
   Stopwatch stopwatch;
   const int atOnce = std::min(plan->backend->framesAtOnce(), range->count());
-  const Result<Far::Refinement> refinement = buildTables(*plan, {atOnce, sizeof(float), false});
+  const Result<Far::Refinement> refinement = buildTables(*plan, {atOnce, sizeof(float), false, central->given});
   if (!refinement) return tl::unexpected(refinement.error());
   const double buildMs = stopwatch.lap();
 
-  const BakeFrames job{*cache, *range, plan->input, *refinement, *plan->backend, atOnce, command.cache};
+  const BakeFrames job{*cache, *range, plan->mesh.input, *central, *refinement, *plan->backend, atOnce, command.cache};
   const Io::Pc2Info info{refinement->last().topology.vertexCount(), range->count(),
                          cache->info().start + static_cast<float>(range->begin) * cache->info().rate,
                          cache->info().rate};

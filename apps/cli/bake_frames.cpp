@@ -33,14 +33,30 @@ Result<std::vector<Slot>> makeSlots(const BakeFrames& job) {
 }
 
 /// The frame's points without the vertices that were left out.
-std::span<const float> controlPoints(const MeshInput& input, std::span<const float> frame, std::vector<float>& kept) {
-  if (input.kept.empty()) return frame;
-  kept.clear();
+void takeVertices(const MeshInput& input, std::span<const float> frame, std::vector<float>& control) {
+  control.clear();
   for (const std::int32_t v : input.kept) {
     const auto point = frame.subspan(3 * at(v), 3);
-    kept.insert(kept.end(), point.begin(), point.end());
+    control.insert(control.end(), point.begin(), point.end());
   }
-  return kept;
+  if (input.kept.empty()) control.assign(frame.begin(), frame.end());
+}
+
+/// The control points of a frame: its vertices, then central control vertices where they are given.
+Result<std::span<const float>> controlPoints(const BakeFrames& job, std::int32_t f, std::vector<float>& control) {
+  const Result<std::span<const float>> points = job.cache.frame(f);
+  if (!points) return tl::unexpected(inFile(job.cacheFile, points.error()));
+  if (job.input.kept.empty() && !job.central.given) return points;
+  takeVertices(job.input, *points, control);
+  if (!job.central.given) return control;
+  if (!job.central.cache) {
+    appendOffsetPoints(job.input.mesh.polygons, job.central.offset, control);
+    return control;
+  }
+  const Result<std::span<const float>> central = job.central.cache->frame(f);
+  if (!central) return tl::unexpected(inFile(job.central.file, central.error()));
+  control.insert(control.end(), central->begin(), central->end());
+  return control;
 }
 
 Error ofFrame(const BakeFrames& job, std::int32_t frame, Error error) {
@@ -50,10 +66,10 @@ Error ofFrame(const BakeFrames& job, std::int32_t frame, Error error) {
 
 Result<void> bakeFrame(const BakeFrames& job, std::int32_t frame, Slot& slot) {
   if (interruptSignal() != 0) return fail(ErrorCode::unwritable, "interrupted");
-  const Result<std::span<const float>> points = job.cache.frame(frame);
-  if (!points) return tl::unexpected(inFile(job.cacheFile, points.error()));
-  Result<void> done = slot.evaluator->evaluate(controlPoints(job.input, *points, slot.control), slot.surface);
-  if (done) done = checkFinite<float>(slot.surface.points);
+  const Result<std::span<const float>> control = controlPoints(job, frame, slot.control);
+  if (!control) return tl::unexpected(control.error());
+  Result<void> done = slot.evaluator->evaluate(*control, slot.surface);
+  if (done) done = checkFinite<float>(slot.surface.vertices());
   if (!done) return tl::unexpected(ofFrame(job, frame, done.error()));
   return {};
 }
@@ -83,8 +99,9 @@ Result<void> bakeFrames(const BakeFrames& job, const Session& session, Io::Pc2Wr
     for (std::int32_t i = 0; i < count; ++i) {
       const Slot& slot = (*slots)[at(i)];
       if (!slot.result) return slot.result;
-      if (const auto written = writer.write(slot.surface.points); !written) return written;
-      if (firstFrame && first + i == job.range.begin) *firstFrame = slot.surface.points;
+      if (const auto written = writer.write(slot.surface.vertices()); !written) return written;
+      if (firstFrame && first + i == job.range.begin)
+        firstFrame->assign(slot.surface.vertices().begin(), slot.surface.vertices().end());
     }
   }
   return {};

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/cli/central_points.h"
 #include "apps/cli/console.h"
 #include "apps/cli/frame_range.h"
 #include "apps/cli/mesh_input.h"
@@ -18,6 +19,7 @@ struct BakeFrames {
   const Io::Pc2Reader& cache;
   FrameRange range;
   const MeshInput& input;
+  const CentralPoints& central;
   const Far::Refinement& refinement;
   Backend& backend;
   int framesAtOnce = 1;

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
-#include <limits>
+#include <optional>
 
 #include "apps/cli/choice.h"
 #include "apps/cli/commands.h"
@@ -11,7 +11,9 @@
 #include "apps/cli/json_text.h"
 #include "apps/cli/mesh_input.h"
 #include "far/base/index.h"
-#include "far/topology/conversions.h"
+#include "far/conversions/bricks.h"
+#include "far/conversions/conversions.h"
+#include "far/conversions/inverse_dual.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -20,15 +22,61 @@ struct ConvertCommand {
   std::string input;
   std::string output;
   std::string to;
+  std::optional<double> ratio;
+  std::optional<std::int32_t> rows;
   bool dropIsolated = false;
 };
+
+constexpr std::int32_t kDefaultRows = 4;
+
+/// The option that a conversion takes beside the mesh.
+enum class Takes : std::uint8_t { nothing, ratio, rows };
 
 /// What a mesh can be converted to. A new conversion is one line.
 struct Target {
   std::string_view name;
-  Result<Far::Conversion> (*convert)(const Far::Topology&);
+  Result<Far::Conversion> (*convert)(const Far::Topology&, const ConvertCommand&);
+  Takes takes = Takes::nothing;
 };
-constexpr std::array kTargets{Target{"dual", Far::dual}, Target{"triangles", Far::triangulate}};
+
+/// A conversion that takes nothing beside the mesh.
+template <Result<Far::Conversion> (*Convert)(const Far::Topology&)>
+Result<Far::Conversion> plain(const Far::Topology& topology, const ConvertCommand&) {
+  return Convert(topology);
+}
+
+Result<Far::Conversion> truncate(const Far::Topology& topology, const ConvertCommand& command) {
+  return Far::truncate(topology, command.ratio.value_or(Far::kThird));
+}
+
+Result<Far::Conversion> bricks(const Far::Topology& topology, const ConvertCommand& command) {
+  return Far::bricks(topology, command.rows.value_or(kDefaultRows));
+}
+
+constexpr std::array kTargets{Target{"dual", plain<Far::dual>},
+                              Target{"truncate", truncate, Takes::ratio},
+                              Target{"triangles", plain<Far::triangulate>},
+                              Target{"quads", plain<Far::quads>},
+                              Target{"hexagonal", plain<Far::hexagonal>},
+                              Target{"inverse-dual", plain<Far::inverseDual>},
+                              Target{"bricks", bricks, Takes::rows}};
+
+/// An option that the target has no use for, or a value out of its range.
+Result<void> checkOptions(const ConvertCommand& command, const Target& target) {
+  if (command.ratio && target.takes != Takes::ratio)
+    return fail(ErrorCode::invalidOption,
+                fmt::format("--ratio {}: --to {} has no ratio; leave it out", *command.ratio, command.to));
+  if (command.rows && target.takes != Takes::rows)
+    return fail(ErrorCode::invalidOption,
+                fmt::format("--rows {}: --to {} has no rows; leave it out", *command.rows, command.to));
+  if (command.ratio && !(*command.ratio > 0 && *command.ratio < 0.5))
+    return fail(ErrorCode::invalidOption,
+                fmt::format("--ratio {}: must lie between 0 and 0.5, both excluded", *command.ratio));
+  if (command.rows && (*command.rows < 1 || *command.rows > Far::kMaxBrickRows))
+    return fail(ErrorCode::invalidOption,
+                fmt::format("--rows {}: must lie between 1 and {}", *command.rows, Far::kMaxBrickRows));
+  return {};
+}
 
 /// A conversion that isn't a manifold would be refused by every other command.
 Result<void> checkManifold(const ConvertCommand& command, const Far::Conversion& converted) {
@@ -38,28 +86,32 @@ Result<void> checkManifold(const ConvertCommand& command, const Far::Conversion&
                                                   command.to, topology.error().message));
 }
 
-Result<Far::Conversion> convertMesh(const ConvertCommand& command, const Target& target, const MeshInput& input) {
+/// The converted mesh and its positions.
+struct Converted {
+  Far::Conversion mesh;
+  std::vector<double> positions;
+};
+
+Result<Converted> convertMesh(const ConvertCommand& command, const Target& target, const MeshInput& input) {
   const Result<Far::Topology> topology = makeTopology(input);
   if (!topology) return tl::unexpected(topology.error());
-  Result<Far::Conversion> converted = target.convert(*topology);
-  if (!converted && converted.error().element >= 0) {
-    const std::int64_t line = input.mesh.vertexLines[at(converted.error().element)];
-    return fail(converted.error().code, fmt::format("{}:{}: {}", input.file, line, converted.error().message), line);
-  }
-  if (!converted) return tl::unexpected(inFile(input.file, converted.error()));
-  if (const auto manifold = checkManifold(command, *converted); !manifold) return tl::unexpected(manifold.error());
-  return converted;
+  Result<Far::Conversion> mesh = target.convert(*topology, command);
+  if (!mesh) return tl::unexpected(located(input, mesh.error()));
+  if (const auto manifold = checkManifold(command, *mesh); !manifold) return tl::unexpected(manifold.error());
+  Result<std::vector<double>> positions = Far::apply(*mesh, input.mesh.positions, 3);
+  if (!positions) return tl::unexpected(located(input, positions.error()));
+  return Converted{std::move(*mesh), std::move(*positions)};
 }
 
-Result<void> write(const ConvertCommand& command, const Far::Conversion& converted,
-                   const std::vector<double>& positions) {
+Result<void> write(const ConvertCommand& command, const Converted& converted) {
   const Result<const MeshFormat*> format = meshFormat(command.output);
   if (!format) return tl::unexpected(format.error());
-  const Far::Polygons& polygons = converted.polygons;
+  const Far::Polygons& polygons = converted.mesh.polygons;
   // checkManifold built a topology of it, so its corners can be counted in 32 bits.
   const std::vector<std::int32_t> faceOffsets(polygons.faceOffsets.begin(), polygons.faceOffsets.end());
   const InterruptScope interruptible;
-  return (*format)->write(command.output, Io::ObjContent<double>{positions, {}, faceOffsets, polygons.indices});
+  return (*format)->write(command.output,
+                          Io::ObjContent<double>{converted.positions, {}, faceOffsets, polygons.indices});
 }
 
 Result<void> printSummary(const ConvertCommand& command, const Session& session, const MeshInput& input,
@@ -81,16 +133,16 @@ Result<void> printSummary(const ConvertCommand& command, const Session& session,
 Result<void> convert(const ConvertCommand& command, const Session& session) {
   const auto target = choose(kTargets, "--to", command.to);
   if (!target) return tl::unexpected(target.error());
+  if (const auto sensible = checkOptions(command, **target); !sensible) return sensible;
   if (const auto format = meshFormat(command.output); !format) return tl::unexpected(format.error());
   const std::array<std::filesystem::path, 1> inputs{command.input};
   if (const auto writable = checkOutput(command.output, inputs); !writable) return writable;
   const Result<MeshInput> input = readMesh(command.input, command.dropIsolated ? Isolated::drop : Isolated::keep);
   if (!input) return tl::unexpected(input.error());
-  const Result<Far::Conversion> converted = convertMesh(command, **target, *input);
+  const Result<Converted> converted = convertMesh(command, **target, *input);
   if (!converted) return tl::unexpected(converted.error());
-  if (const auto written = write(command, *converted, Far::means(*converted, input->mesh.positions, 3)); !written)
-    return written;
-  return printSummary(command, session, *input, converted->polygons);
+  if (const auto written = write(command, *converted); !written) return written;
+  return printSummary(command, session, *input, converted->mesh.polygons);
 }
 
 }  // namespace
@@ -101,6 +153,9 @@ void addConvert(CLI::App& app, Command& command) {
   subcommand->add_option("IN", options->input, "Mesh (.obj)")->required();
   subcommand->add_option("OUT", options->output, "Converted mesh (.obj)")->required();
   subcommand->add_option("--to", options->to, "Conversion: " + names(kTargets))->required();
+  subcommand->add_option("--ratio", options->ratio,
+                         "truncate: where an edge is cut, in parts of it from either end, between 0 and 0.5 [1/3]");
+  subcommand->add_option("--rows", options->rows, "bricks: courses a ring of quads, 1 to 1000 [4]");
   subcommand->add_flag("--drop-isolated", options->dropIsolated, "Leave out vertices that are in no face");
   addSessionOptions(*subcommand, command.session);
   subcommand->callback([options, &command] {

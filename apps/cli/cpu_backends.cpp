@@ -1,4 +1,5 @@
 #include "apps/cli/surface_evaluator.h"
+#include "far/base/index.h"
 #include "far/base/parallel.h"
 #include "osd/cpu_evaluator.h"
 
@@ -23,13 +24,13 @@ class CpuSurfaceEvaluator : public SurfaceEvaluator {
  private:
   template <class Real>
   Result<void> evaluateAs(std::span<const Real> control, Surface<Real>& surface) {
-    const std::size_t size = 3 * static_cast<std::size_t>(refinement_.last().topology.vertexCount());
-    surface.points.resize(size);
+    surface.vertexCount = refinement_.last().topology.vertexCount();
+    surface.points.resize(3 * at(refinement_.last().table.targetCount));
     const Osd::PointsOut<Real> points{surface.points, kPacked};
     const Result<void> refined =
         evaluator_.evaluate<Real>(refinement_, refinement_.levelCount(), Osd::Points<Real>{control, kPacked}, points);
     if (!refined || normals_ == Normals::none) return refined;
-    surface.normals.resize(size);
+    surface.normals.resize(3 * at(surface.vertexCount));
     return evaluator_.vertexLimits<Real>(refinement_.limits(), Osd::Points<Real>{surface.points, kPacked},
                                          Osd::PointsOut<Real>{{}, kPacked},
                                          Osd::PointsOut<Real>{surface.normals, kPacked});

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/cli/commands.h"
+#include "apps/cli/control_mesh.h"
 #include "apps/cli/info_machine.h"
 #include "apps/cli/info_report.h"
-#include "apps/cli/scheme_options.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -14,7 +14,7 @@ constexpr std::int32_t kDefaultLevels = 5;
 
 struct InfoCommand {
   std::string input;  ///< empty: the machine
-  std::int32_t levels = kDefaultLevels;
+  std::optional<std::int32_t> levels;
   SchemeOptions scheme;
   bool dropIsolated = false;
 };
@@ -26,19 +26,17 @@ Result<void> printDefects(const Session& session, const MeshInput& input, const 
 }
 
 Result<void> infoOfMesh(const InfoCommand& command, const Session& session) {
-  if (command.levels < 0 || command.levels > Far::kMaxLevels)
-    return fail(ErrorCode::invalidOption,
-                fmt::format("--levels {}: give a number from 0 to {}", command.levels, Far::kMaxLevels));
-  const Result<Far::Scheme> scheme = makeScheme(command.scheme);
-  if (!scheme) return tl::unexpected(scheme.error());
+  const Result<ChainRequest> request = readChain(command.scheme, command.levels, {kDefaultLevels, 0});
+  if (!request) return tl::unexpected(request.error());
   Result<MeshInput> input = readMesh(command.input, command.dropIsolated ? Isolated::drop : Isolated::keep);
   if (!input) return tl::unexpected(input.error());
-  if (keepsCorners(command.scheme)) tagCorners(input->mesh.polygons);
   const std::vector<Far::Defect> defects = Far::findDefects(input->mesh.polygons);
   if (!defects.empty()) return printDefects(session, *input, defects);
-  const Result<Far::Topology> topology = makeTopology(*input);
-  if (!topology) return tl::unexpected(topology.error());
-  const MeshReport report{*input, *topology, predictSizes(*topology, *scheme, command.levels, RunShape{}),
+  const Result<ControlMesh> mesh = prepareControl(std::move(*input), command.scheme, *request);
+  if (!mesh) return tl::unexpected(mesh.error());
+  RunShape shape;
+  shape.centralPoints = command.scheme.given(kCentralFileOption) || command.scheme.given(kCentralOffsetOption);
+  const MeshReport report{mesh->input, mesh->topology, predictSizes(mesh->topology, mesh->chain, shape),
                           availableMemory()};
   return printResult(session.json ? meshJson(report) : meshText(report));
 }
@@ -55,8 +53,9 @@ void addInfo(CLI::App& app, Command& command) {
   CLI::App* subcommand = app.add_subcommand(
       "info", "A mesh's counts, defects and predicted sizes; without IN: this machine's devices and limits");
   subcommand->add_option("IN", options->input, "Mesh (.obj)");
-  subcommand->add_option("--levels", options->levels, "Levels to predict")->capture_default_str();
-  addSchemeOptions(*subcommand, options->scheme);
+  subcommand->add_option("--levels", options->levels, "Levels to predict; of a chain, their sum")
+      ->default_str(std::to_string(kDefaultLevels));
+  options->scheme.addTo(*subcommand);
   subcommand->add_flag("--drop-isolated", options->dropIsolated, "Leave out vertices that are in no face");
   addSessionOptions(*subcommand, command.session);
   subcommand->callback(

@@ -42,18 +42,19 @@ bool fits(const LevelSize& size, std::int64_t memory) {
 }
 
 std::string levelsText(const MeshReport& report) {
-  std::string text = fmt::format("\n{:>5} {:>17} {:>17} {:>17} {:>17} {:>10} {:>10} {:>10}\n", "level", "vertices",
-                                 "edges", "faces", "half-edges", "tables", "points", "whole run");
-  for (std::size_t k = 0; k < report.sizes.size(); ++k) {
-    const LevelSize& size = report.sizes[k];
+  std::string text =
+      fmt::format("\n{:>5} {:<13} {:>17} {:>17} {:>17} {:>17} {:>10} {:>10} {:>10}\n", "level", "made by", "vertices",
+                  "edges", "faces", "half-edges", "tables", "points", "whole run");
+  for (const LevelSize& size : report.sizes) {
     const Far::LevelCounts& counts = size.counts;
     const std::string_view mark = counts.halfEdges > kMostHalfEdges ? "  past 2^31 half-edges"
                                   : !fits(size, report.memory)      ? "  more than is free"
                                   : counts.exact                    ? ""
                                                                     : "  at most";
-    fmt::format_to(std::back_inserter(text), "{:>5} {:>17} {:>17} {:>17} {:>17} {:>10} {:>10} {:>10}{}\n", k,
-                   grouped(counts.vertices), grouped(counts.edges), grouped(counts.faces), grouped(counts.halfEdges),
-                   humanBytes(counts.bytes), humanBytes(size.pointBytes), humanBytes(size.runBytes), mark);
+    fmt::format_to(std::back_inserter(text), "{:>5} {:<13} {:>17} {:>17} {:>17} {:>17} {:>10} {:>10} {:>10}{}\n",
+                   size.level, size.step.empty() ? "IN" : size.step, grouped(counts.vertices), grouped(counts.edges),
+                   grouped(counts.faces), grouped(counts.halfEdges), humanBytes(counts.bytes),
+                   humanBytes(size.pointBytes), humanBytes(size.runBytes), mark);
   }
   return text + fmt::format("bytes are predictions for single precision and one frame; {} of memory is free\n",
                             humanBytes(report.memory));
@@ -61,9 +62,9 @@ std::string levelsText(const MeshReport& report) {
 
 Json levelsJson(const MeshReport& report) {
   Json levels = Json::array();
-  for (std::size_t k = 0; k < report.sizes.size(); ++k) {
-    const LevelSize& size = report.sizes[k];
-    levels.push_back({{"level", k},
+  for (const LevelSize& size : report.sizes) {
+    levels.push_back({{"level", size.level},
+                      {"step", size.step.empty() ? Json() : Json(size.step)},
                       {"vertices", size.counts.vertices},
                       {"edges", size.counts.edges},
                       {"faces", size.counts.faces},

@@ -15,10 +15,6 @@ namespace {
 // Left to the program itself, its libraries and the page cache of the files it works on.
 constexpr std::int64_t kMargin = 128'000'000;
 
-// Bytes a half-edge, as Far::refine counts them: what a split keeps besides its result, and the rows of the limits.
-constexpr std::int64_t kSplitScratch = 4;
-constexpr std::int64_t kLimitRows = 12;
-
 std::string advice(std::int64_t level) {
   return level > 1 ? fmt::format("use --levels {} or less", level - 1) : "the mesh is too large to refine here";
 }
@@ -33,47 +29,43 @@ std::int64_t availableMemory() {
   return std::numeric_limits<std::int64_t>::max();
 }
 
-std::vector<LevelSize> predictSizes(const Far::Topology& control, const Far::Scheme& scheme, std::int32_t levels,
-                                    const RunShape& shape) {
+std::vector<LevelSize> predictSizes(const Far::Topology& control, const SchemeChain& chain, const RunShape& shape) {
   // The limit tables of a level lead to the points of the next.
-  const std::vector<Far::Scheme> perLevel(at(levels) + (shape.normals ? 1 : 0), scheme);
-  const std::vector<Far::LevelCounts> counts = Far::predict(control, perLevel);
+  std::vector<Far::Scheme> steps = chain.steps;
+  if (shape.normals && !steps.empty()) steps.push_back(steps.back());
+  std::vector<Far::LevelCounts> counts = Far::predict(control, steps);
+  if (shape.centralPoints) counts.front().points += counts.front().faces;
+  const std::int64_t pointSize = std::int64_t{3} * shape.bytesPerNumber;
   std::vector<LevelSize> sizes;
-  std::int64_t tables = 0, pointsBefore = 0;
-  for (std::size_t k = 0; k <= at(levels); ++k) {
-    LevelSize size{counts[k], counts[k].vertices * 3 * shape.bytesPerNumber, 0};
-    tables += size.counts.bytes;
+  std::int64_t pointsBefore = 0;
+  for (std::size_t k = 0; k <= chain.steps.size(); ++k) {
+    LevelSize size{counts[k], chain.levelOf[k], k == 0 ? "" : chain.steps[k - 1].name, counts[k].points * pointSize, 0};
+    const bool limits = k + 1 < counts.size() && shape.normals;
+    const Far::BuildBytes build = Far::buildBytes(std::span(counts).first(k + (limits ? 2 : 1)), limits);
     // An evaluator keeps the points of the two levels before the last.
     std::int64_t points = shape.framesAtOnce * (size.pointBytes + pointsBefore);
-    std::int64_t limits = 0, scratch = kSplitScratch * size.counts.halfEdges;
-    if (shape.normals) {
-      const Far::LevelCounts& child = counts[k + 1];
-      limits = child.bytes + kLimitRows * child.halfEdges;
-      scratch = kSplitScratch * child.halfEdges;
-      points += size.pointBytes + child.vertices * 3 * shape.bytesPerNumber;
-    }
-    size.runBytes = tables + limits + std::max(scratch, points);
+    if (limits) points += (counts[k].vertices + counts[k + 1].points) * pointSize;
+    size.runBytes = build.tables + std::max(build.scratch, points);
     pointsBefore = size.pointBytes + (k == 0 ? 0 : sizes.back().pointBytes);
-    sizes.push_back(size);
+    sizes.push_back(std::move(size));
   }
   return sizes;
 }
 
 Result<void> checkSizes(std::span<const LevelSize> sizes, std::int64_t memory) {
-  for (std::size_t k = 0; k < sizes.size(); ++k) {
-    const LevelSize& size = sizes[k];
-    const auto level = static_cast<std::int64_t>(k);
+  for (const LevelSize& size : sizes) {
+    const std::int64_t level = size.level;
     // An upper bound refuses nothing: a mesh that the boundary rule erodes may have fewer.
     if (size.counts.exact && size.counts.halfEdges > kMostHalfEdges)
       return fail(
           ErrorCode::tooLarge,
           fmt::format("level {} would have {} half-edges and take {}; 2^31 - 1 half-edges is the most a level can "
                       "have; {}",
-                      k, grouped(size.counts.halfEdges), humanBytes(size.runBytes), advice(level)),
+                      level, grouped(size.counts.halfEdges), humanBytes(size.runBytes), advice(level)),
           level);
     if (size.runBytes > memory)
       return fail(ErrorCode::tooLarge,
-                  fmt::format("level {} would take {}{} ({} bytes) of memory, {} is free; {}", k,
+                  fmt::format("level {} would take {}{} ({} bytes) of memory, {} is free; {}", level,
                               size.counts.exact ? "" : "up to ", humanBytes(size.runBytes), size.runBytes,
                               humanBytes(memory), advice(level)),
                   level);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/cli/scheme_chain.h"
 #include "far/base/result.h"
-#include "far/schemes/scheme.h"
 #include "far/tables/refinement.h"
 
 namespace honeycomb::Cli {
@@ -19,16 +19,19 @@ struct RunShape {
   int framesAtOnce = 1;
   int bytesPerNumber = 4;
   bool normals = false;
+  bool centralPoints = false;  ///< the control faces have central control vertices of their own
 };
 
-/// What each level 0..L takes.
+/// What a mesh of the chain takes.
 struct LevelSize {
   Far::LevelCounts counts;
+  std::int32_t level = 0;       ///< as the user counts them: a conversion has the level of the mesh it converts
+  std::string step;             ///< the scheme that makes it; empty for the control mesh
   std::int64_t pointBytes = 0;  ///< one frame of its points
   std::int64_t runBytes = 0;    ///< a whole run to this level: all tables and buffers
 };
-std::vector<LevelSize> predictSizes(const Far::Topology& control, const Far::Scheme& scheme, std::int32_t levels,
-                                    const RunShape& shape);
+/// Of the control mesh and what each step makes.
+std::vector<LevelSize> predictSizes(const Far::Topology& control, const SchemeChain& chain, const RunShape& shape);
 
 /// Half-edges a level may have: their numbers are 32-bit.
 constexpr std::int64_t kMostHalfEdges = 2147483647;

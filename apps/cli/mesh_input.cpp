@@ -17,24 +17,37 @@ std::vector<std::int32_t> cornersPerVertex(const Far::Polygons& polygons) {
   return count;
 }
 
-/// Removes the vertices of no face; the others keep their order.
+/// Moves the values of the vertices that are kept to the front; three a vertex.
+void keepOnly(const std::vector<std::int32_t>& kept, std::vector<double>& values) {
+  if (values.empty()) return;
+  for (std::size_t k = 0; k < kept.size(); ++k) std::copy_n(&values[3 * at(kept[k])], 3, &values[3 * k]);
+  values.resize(3 * kept.size());
+}
+
+/// Removes the vertices of no face, but those that a crease names, by mistake; the others keep their order.
 void dropIsolated(MeshInput& input) {
   Io::ObjMesh& mesh = input.mesh;
-  const std::vector<std::int32_t> corners = cornersPerVertex(mesh.polygons);
-  if (std::find(corners.begin(), corners.end(), 0) == corners.end()) return;
-  std::vector<std::int32_t> renumbered(corners.size(), -1);
+  std::vector<std::int32_t> mentions = cornersPerVertex(mesh.polygons);
+  for (const Far::Crease& crease : mesh.polygons.creases)
+    mentions[at(crease.vertex0)] = mentions[at(crease.vertex1)] = 1;
+  if (std::find(mentions.begin(), mentions.end(), 0) == mentions.end()) return;
+  std::vector<std::int32_t> renumbered(mentions.size(), -1);
   for (std::int32_t v = 0; v < input.fileVertices; ++v) {
-    if (corners[at(v)] == 0) continue;
+    if (mentions[at(v)] == 0) continue;
     const std::size_t k = input.kept.size();
     renumbered[at(v)] = static_cast<std::int32_t>(k);
-    std::copy_n(mesh.positions.begin() + 3 * std::ptrdiff_t{v}, 3,
-                mesh.positions.begin() + 3 * static_cast<std::ptrdiff_t>(k));
     mesh.vertexLines[k] = mesh.vertexLines[at(v)];
     input.kept.push_back(v);
   }
   for (std::int32_t& v : mesh.polygons.indices) v = renumbered[at(v)];
+  for (std::int32_t& v : mesh.polygons.corners) v = renumbered[at(v)];
+  for (Far::Crease& crease : mesh.polygons.creases) {
+    crease.vertex0 = renumbered[at(crease.vertex0)];
+    crease.vertex1 = renumbered[at(crease.vertex1)];
+  }
   mesh.polygons.vertexCount = static_cast<std::int32_t>(input.kept.size());
-  mesh.positions.resize(3 * input.kept.size());
+  keepOnly(input.kept, mesh.positions);
+  keepOnly(input.kept, mesh.colours);
   mesh.vertexLines.resize(input.kept.size());
 }
 
@@ -45,6 +58,21 @@ Far::Defect inFileNumbers(const MeshInput& input, Far::Defect defect) {
   for (std::int64_t* vertex : {&defect.vertex, &defect.vertex2})
     if (*vertex >= 0) *vertex = input.fileVertex(*vertex) + 1;
   return defect;
+}
+
+/// The line of the tag that a defect is about, or else of its face or vertex.
+std::int64_t lineOf(const Io::ObjMesh& mesh, const Far::Defect& defect) {
+  const bool crease = defect.kind == Far::DefectKind::creaseSharpness ||
+                      defect.kind == Far::DefectKind::creaseConflict ||
+                      defect.kind == Far::DefectKind::creaseWithoutEdge;
+  for (std::size_t i = 0; crease && i < mesh.creaseLines.size(); ++i) {
+    const Far::Crease& c = mesh.polygons.creases[i];
+    if (std::minmax<std::int64_t>(c.vertex0, c.vertex1) == std::minmax(defect.vertex, defect.vertex2))
+      return mesh.creaseLines[i];
+  }
+  for (std::size_t i = 0; defect.kind == Far::DefectKind::cornerNotOnBoundary && i < mesh.cornerLines.size(); ++i)
+    if (mesh.polygons.corners[i] == defect.vertex) return mesh.cornerLines[i];
+  return defect.face >= 0 ? mesh.faceLines[at(defect.face)] : mesh.vertexLines[at(defect.vertex)];
 }
 
 }  // namespace
@@ -63,7 +91,7 @@ Result<MeshInput> readMesh(const std::string& file, Isolated isolated) {
 DefectReport report(const MeshInput& input, const Far::Defect& defect) {
   const Far::Defect numbered = inFileNumbers(input, defect);
   DefectReport result;
-  result.line = defect.face >= 0 ? input.mesh.faceLines[at(defect.face)] : input.mesh.vertexLines[at(defect.vertex)];
+  result.line = lineOf(input.mesh, defect);
   result.face = std::max<std::int64_t>(numbered.face, 0);
   result.vertex = std::max<std::int64_t>(numbered.vertex, 0);
   result.what = Far::describe(numbered);
@@ -95,6 +123,18 @@ Result<Far::Topology> makeTopology(const MeshInput& input) {
 Error inFile(const std::string& file, Error error) {
   if (error.message.find(file) == std::string::npos) error.message = file + ": " + error.message;
   return error;
+}
+
+Error located(const MeshInput& input, const Error& error) {
+  if (error.kind == ElementKind::other || error.element < 0) return inFile(input.file, error);
+  const bool face = error.kind == ElementKind::face;
+  const std::int64_t line = (face ? input.mesh.faceLines : input.mesh.vertexLines)[at(error.element)];
+  const std::int64_t number = (face ? error.element : input.fileVertex(error.element)) + 1;
+  std::string message = error.message;
+  const std::string name = elementName(error.kind, error.element);
+  if (const std::size_t place = message.find(name); place != std::string::npos)
+    message.replace(place, name.size(), fmt::format("{} {}", face ? "face" : "vertex", number));
+  return {error.code, fmt::format("{}:{}: {} (numbers count from 1, as in the file)", input.file, line, message), line};
 }
 
 void tagCorners(Far::Polygons& polygons) {

@@ -47,6 +47,10 @@ Error summarize(const MeshInput& input, const std::vector<Far::Defect>& defects)
 /// The error with the file in front, unless it already names it.
 Error inFile(const std::string& file, Error error);
 
+/// The error with the file in front, and where it names a vertex or a face of the mesh, that element's line and its
+/// number as in the file.
+Error located(const MeshInput& input, const Error& error);
+
 /// Tags vertices that lie in one face only, so that the brick boundary keeps them where they are.
 void tagCorners(Far::Polygons& polygons);
 

@@ -1,12 +1,9 @@
 #pragma once
 
+#include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
-
-#include "far/base/result.h"
-#include "far/schemes/scheme.h"
 
 namespace CLI {
 class App;
@@ -14,30 +11,47 @@ class App;
 
 namespace honeycomb::Cli {
 
-/// How to refine, as the user wrote it.
-struct SchemeOptions {
-  std::string scheme = "akleman";
-  std::string tension = "paper";
-  double edgeParameter = 0.5;
-  std::string boundary = "brick";
-  std::optional<double> boundaryWeight;  ///< --sn; the scheme has a default
-  std::string corners = "none";
+/// An option that some schemes have; which ones is said by the entries of schemes().
+struct SchemeOption {
+  enum class Kind { text, number, flag };
+  std::string_view name;      ///< "--tension"
+  Kind kind = Kind::text;     ///< text may be a number too
+  std::string_view fallback;  ///< its value when it isn't given; empty where that depends
+  std::string_view help;
 };
 
-/// A subdivision scheme. A new one is one line of the table in scheme_options.cpp.
-struct SchemeEntry {
-  std::string_view name;
-  Result<Far::Scheme> (*make)(const SchemeOptions&);
+/// Options of more than one scheme.
+inline constexpr SchemeOption kBoundaryOption{
+    "--boundary", SchemeOption::Kind::text, "",
+    "Boundary rule: brick, eq16, drop, natural, clamped (the default depends on the scheme)"};
+inline constexpr SchemeOption kBoundaryWeightOption{"--sn", SchemeOption::Kind::number, "0.25",
+                                                    "Weight of the neighbours in an eq16 boundary point, in [0, 1]"};
+inline constexpr SchemeOption kCornersOption{"--corners", SchemeOption::Kind::text, "none",
+                                             "Boundary vertices that stay where they are: none, valence2"};
+
+/// The scheme and its options, as the user wrote them.
+class SchemeOptions {
+ public:
+  std::string scheme = "akleman";  ///< a name, or a chain such as "akleman:1,half-box:2"
+
+  bool given(const SchemeOption& option) const;
+  /// What was given, or the option's fallback.
+  std::string text(const SchemeOption& option) const;
+  /// Of a number.
+  std::optional<double> number(const SchemeOption& option) const;
+
+  /// Adds --scheme and the options of all schemes to a subcommand, which writes into this object: it must stay in
+  /// place.
+  void addTo(CLI::App& subcommand);
+
+ private:
+  struct Value {
+    std::optional<std::string> text;
+    std::optional<double> number;
+    bool flag = false;
+  };
+  void add(CLI::App& subcommand, const SchemeOption& option);
+  std::map<std::string_view, Value> values_;
 };
-std::span<const SchemeEntry> schemes();
-
-/// Adds --scheme and the options of all schemes.
-void addSchemeOptions(CLI::App& subcommand, SchemeOptions& options);
-
-/// The scheme the options name. Errors: invalidOption, naming the option, its range or the choices there are.
-Result<Far::Scheme> makeScheme(const SchemeOptions& options);
-
-/// Are valence-2 boundary vertices to be kept as corners?
-bool keepsCorners(const SchemeOptions& options);
 
 }  // namespace honeycomb::Cli

@@ -10,11 +10,14 @@
 
 namespace honeycomb::Cli {
 
-/// The points of the last level of a refinement, x y z packed, and unit normals of as many vertices or none.
+/// The points of the last level of a refinement, x y z packed, and unit normals of its vertices or none.
 template <class Real>
 struct Surface {
-  std::vector<Real> points;
+  std::vector<Real> points;  ///< [vertices | what else the level's table makes]
   std::vector<Real> normals;
+  std::int32_t vertexCount = 0;
+
+  std::span<const Real> vertices() const { return std::span(points).first(3 * static_cast<std::size_t>(vertexCount)); }
 };
 
 enum class Normals { none, exact };
@@ -23,7 +26,8 @@ enum class Normals { none, exact };
 class SurfaceEvaluator {
  public:
   virtual ~SurfaceEvaluator() = default;
-  /// `control`: 3 numbers a control vertex. Fills the surface, whose storage is kept from frame to frame.
+  /// `control`: 3 numbers a control point: vertices, then central control vertices where the refinement reads them.
+  /// Fills the surface, whose storage is kept from frame to frame.
   virtual Result<void> evaluate(std::span<const float> control, Surface<float>& surface) = 0;
   virtual Result<void> evaluate(std::span<const double> control, Surface<double>& surface) = 0;
 };

@@ -11,52 +11,44 @@
 namespace honeycomb::Cli {
 
 void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options) {
-  subcommand.add_option("--levels", options.levels, "Refinement steps, 1 to " + std::to_string(Far::kMaxLevels))
-      ->capture_default_str();
-  addSchemeOptions(subcommand, options.scheme);
+  subcommand
+      .add_option("--levels", options.levels,
+                  "Refinement steps, 1 to " + std::to_string(Far::kMaxLevels) + "; of a chain, their sum")
+      ->default_str(std::to_string(LevelChoice{}.usual));
+  options.scheme.addTo(subcommand);
   subcommand.add_option("--backend", options.backend, "What refines: " + names(backends()) + " (auto: tbb)")
       ->capture_default_str();
   subcommand.add_flag("--drop-isolated", options.dropIsolated, "Leave out vertices that are in no face");
 }
 
-Result<SurfacePlan> planSurface(const SurfaceOptions& options, int bytesPerNumber) {
-  if (options.levels < 1 || options.levels > Far::kMaxLevels)
-    return fail(ErrorCode::invalidOption,
-                fmt::format("--levels {}: give a number from 1 to {}", options.levels, Far::kMaxLevels));
-  SurfacePlan plan;
-  plan.levels = options.levels;
+Result<SurfacePlan> planSurface(const SurfaceOptions& options, int bytesPerNumber, const LevelChoice& levels) {
+  const Result<ChainRequest> request = readChain(options.scheme, options.levels, levels);
+  if (!request) return tl::unexpected(request.error());
   const auto entry = choose(backends(), "--backend", options.backend);
   if (!entry) return tl::unexpected(entry.error());
   if (bytesPerNumber == 8 && !(*entry)->doublePrecision)
     return fail(ErrorCode::invalidOption,
                 fmt::format("--precision double: the {} backend has single precision only; use serial or tbb",
                             options.backend));
-  Result<Far::Scheme> scheme = makeScheme(options.scheme);
-  if (!scheme) return tl::unexpected(scheme.error());
-  plan.scheme = std::move(*scheme);
   Result<MeshInput> input = readMesh(options.input, options.dropIsolated ? Isolated::drop : Isolated::keep);
   if (!input) return tl::unexpected(input.error());
-  plan.input = std::move(*input);
-  if (keepsCorners(options.scheme)) tagCorners(plan.input.mesh.polygons);
-  Result<Far::Topology> control = makeTopology(plan.input);
-  if (!control) return tl::unexpected(control.error());
-  plan.control = std::move(*control);
+  Result<ControlMesh> mesh = prepareControl(std::move(*input), options.scheme, *request);
+  if (!mesh) return tl::unexpected(mesh.error());
   Result<std::unique_ptr<Backend>> backend = (*entry)->open();
   if (!backend) return tl::unexpected(backend.error());
-  plan.backend = std::move(*backend);
-  return plan;
+  return SurfacePlan{std::move(*mesh), std::move(*backend)};
 }
 
 Result<Far::Refinement> buildTables(const SurfacePlan& plan, const RunShape& shape) {
   const std::int64_t memory = availableMemory();
-  const std::vector<LevelSize> sizes = predictSizes(plan.control, plan.scheme, plan.levels, shape);
-  const Result<void> fits = checkSizes(sizes, memory);
-  if (!fits) return tl::unexpected(inFile(plan.input.file, fits.error()));
+  const Result<void> fits = checkSizes(predictSizes(plan.mesh.topology, plan.mesh.chain, shape), memory);
+  if (!fits) return tl::unexpected(inFile(plan.mesh.input.file, fits.error()));
   Far::RefineOptions options;
+  options.centralPoints = shape.centralPoints;
   options.limits = shape.normals;
   options.memoryLimit = memory;
-  Result<Far::Refinement> refinement = Far::refine(plan.control, plan.scheme, plan.levels, options);
-  if (!refinement) return tl::unexpected(inFile(plan.input.file, refinement.error()));
+  Result<Far::Refinement> refinement = Far::refine(plan.mesh.topology, plan.mesh.chain.steps, options);
+  if (!refinement) return tl::unexpected(located(plan.mesh.input, refinement.error()));
   return refinement;
 }
 

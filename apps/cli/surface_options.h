@@ -3,13 +3,13 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "apps/cli/console.h"
+#include "apps/cli/control_mesh.h"
 #include "apps/cli/memory.h"
-#include "apps/cli/mesh_input.h"
-#include "apps/cli/scheme_options.h"
 #include "apps/cli/surface_evaluator.h"
 #include "far/tables/refinement.h"
 
@@ -22,7 +22,7 @@ namespace honeycomb::Cli {
 /// What refine and bake have in common.
 struct SurfaceOptions {
   std::string input;
-  std::int32_t levels = 2;
+  std::optional<std::int32_t> levels;
   SchemeOptions scheme;
   std::string backend = "auto";
   bool dropIsolated = false;
@@ -33,15 +33,12 @@ void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options);
 
 /// An input, checked and opened: nothing that the tables need is missing, and nothing of them is built.
 struct SurfacePlan {
-  MeshInput input;
-  Far::Topology control;
-  Far::Scheme scheme;
-  std::int32_t levels = 0;
+  ControlMesh mesh;
   std::unique_ptr<Backend> backend;
 };
 
-/// Reads and validates everything the options name. Errors: whatever is wrong with it.
-Result<SurfacePlan> planSurface(const SurfaceOptions& options, int bytesPerNumber);
+/// Reads and validates everything the options name, but central control vertices. Errors: whatever is wrong with it.
+Result<SurfacePlan> planSurface(const SurfaceOptions& options, int bytesPerNumber, const LevelChoice& levels = {});
 
 /// Builds the tables, if they and the run's buffers fit. Errors: tooLarge.
 Result<Far::Refinement> buildTables(const SurfacePlan& plan, const RunShape& shape);

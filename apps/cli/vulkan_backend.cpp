@@ -13,12 +13,14 @@ namespace {
 /// Frame after frame on the device, with tables uploaded once.
 class VulkanSurfaceEvaluator : public SurfaceEvaluator {
  public:
-  explicit VulkanSurfaceEvaluator(Osd::VulkanSession session) : session_(std::move(session)) {}
+  VulkanSurfaceEvaluator(Osd::VulkanSession session, std::int32_t vertexCount)
+      : session_(std::move(session)), vertexCount_(vertexCount) {}
 
   Result<void> evaluate(std::span<const float> control, Surface<float>& surface) override {
     std::copy(control.begin(), control.end(), session_.control().begin());
     const Result<void> done = session_.run();
     if (!done) return done;
+    surface.vertexCount = vertexCount_;
     surface.points.assign(session_.refined().begin(), session_.refined().end());
     surface.normals.assign(session_.vertexNormals().begin(), session_.vertexNormals().end());
     return {};
@@ -29,6 +31,7 @@ class VulkanSurfaceEvaluator : public SurfaceEvaluator {
 
  private:
   Osd::VulkanSession session_;
+  std::int32_t vertexCount_;
 };
 
 class VulkanBackend : public Backend {
@@ -42,7 +45,7 @@ class VulkanBackend : public Backend {
     if (normals == Normals::exact) options.vertexLimits.normals = Osd::BufferDescriptor{};
     Result<Osd::VulkanSession> session = Osd::VulkanSession::create(evaluator_, refinement, options);
     if (!session) return tl::unexpected(session.error());
-    return std::make_unique<VulkanSurfaceEvaluator>(std::move(*session));
+    return std::make_unique<VulkanSurfaceEvaluator>(std::move(*session), refinement.last().topology.vertexCount());
   }
   int framesAtOnce() const override { return 1; }
   Result<std::unique_ptr<SurfaceEvaluator>> frameEvaluator(const Far::Refinement& refinement) override {

@@ -19,13 +19,13 @@ Contestant cpuContestant(const char* name, const Far::Refinement& refinement, co
     std::vector<float> points;
   };
   auto state = std::make_shared<State>(State{evaluator, {}});
-  state->points.resize(3 * static_cast<std::size_t>(refinement.last().topology.vertexCount()));
+  state->points.resize(3 * static_cast<std::size_t>(refinement.last().pointCount()));
   auto refine = [state, &refinement](std::span<const float> control) -> Result<std::span<const float>> {
     const Osd::Points<float> source{control, {}};
     const Osd::PointsOut<float> target{state->points, {}};
     const auto done = state->evaluator.evaluate<float>(refinement, refinement.levelCount(), source, target);
     if (!done) return tl::unexpected(done.error());
-    return std::span<const float>(state->points);
+    return verticesOf(refinement, state->points);
   };
   return {name, 0, refine};
 }
@@ -63,6 +63,10 @@ Standing standingOf(const Contestant& contestant, const Record& record, std::siz
 }
 
 }  // namespace
+
+std::span<const float> verticesOf(const Far::Refinement& refinement, std::span<const float> points) {
+  return points.first(3 * static_cast<std::size_t>(refinement.last().topology.vertexCount()));
+}
 
 std::uint32_t bitDistance(float a, float b) {
   const std::uint32_t x = ordered(a);

@@ -16,7 +16,8 @@ namespace honeycomb::Demo {
 struct Contestant {
   std::string name;
   double preparation = 0;  ///< ms beyond the tables: pipelines and uploads
-  /// Control points of a frame to the points of the last level, x y z packed; the result is valid until the next call.
+  /// Control points of a frame to the vertices of the last level, x y z packed; the result is valid until the next
+  /// call.
   std::function<Result<std::span<const float>>(std::span<const float>)> refine;
 };
 
@@ -32,6 +33,9 @@ struct Standing {
 /// The reference: must come first in a contest.
 Contestant serialContestant(const Far::Refinement& refinement);
 Contestant threadedContestant(const Far::Refinement& refinement);
+
+/// The vertices among the points of the last level, which come first.
+std::span<const float> verticesOf(const Far::Refinement& refinement, std::span<const float> points);
 
 /// How many representable numbers lie between a and b; 0 only when their bits are equal.
 std::uint32_t bitDistance(float a, float b);

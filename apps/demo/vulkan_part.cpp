@@ -35,10 +35,10 @@ Result<Contestant> VulkanPart::contestant(const Far::Refinement& refinement) con
   auto created = Osd::VulkanSession::create(*evaluator, refinement);
   if (!created) return tl::unexpected(created.error());
   auto session = std::make_shared<Osd::VulkanSession>(std::move(*created));
-  auto refine = [session](std::span<const float> control) -> Result<std::span<const float>> {
+  auto refine = [session, &refinement](std::span<const float> control) -> Result<std::span<const float>> {
     std::ranges::copy(control, session->control().begin());
     if (const auto ran = session->run(); !ran) return tl::unexpected(ran.error());
-    return session->refined();
+    return verticesOf(refinement, session->refined());
   };
   return Contestant{"vulkan", watch.milliseconds(), refine};
 }

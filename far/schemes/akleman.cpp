@@ -78,11 +78,12 @@ Result<Scheme> akleman(const AklemanOptions& options) {
   Scheme scheme;
   scheme.name = "akleman";
   scheme.split = zip(options.boundary);
+  scheme.creases = zipCreases(options.boundary);
   scheme.faceRule = [tension = options.tension, t = options.edgeParameter](std::int32_t sides) {
     return aklemanRule(tension.at(sides), t, sides);
   };
-  scheme.boundaryRow = [s = options.boundaryWeight](const Topology& parent, const NewPoint& point) {
-    return zipBoundaryRow(parent, point, s);
+  scheme.pointRow = [s = options.boundaryWeight](const SourceLevel& parent, const NewPoint& point, Row& row) {
+    addZipBoundaryRow(parent.topology(), point, s, row);
   };
   return scheme;
 }

@@ -14,6 +14,7 @@ std::vector<double> firstRow(const CirculantRule& rule, std::int32_t sides) {
   }
   row[0] += rule.here;
   row[1] += rule.next;
+  row[at(sides / 2)] += rule.opposite;
   return row;
 }
 

@@ -7,12 +7,12 @@ namespace honeycomb::Far {
 namespace {
 
 /// The point of a cut next to its end `near`.
-Row cutPoint(const Topology& parent, std::int32_t near, std::int32_t far) {
+void addCutPoint(const Topology& parent, std::int32_t near, std::int32_t far, Row& row) {
   const bool mid = parent.vertexTag(near) == VertexTag::mid;
   const bool toCorner = parent.vertexTag(far) == VertexTag::fixedCorner;
   double w = mid ? 1.0 / 6 : 1.0 / 4;
   if (toCorner) w = mid ? 1.0 / 3 : 1.0 / 2;
-  return {{near, 1 - w}, {far, w}};
+  row.insert(row.end(), {{near, 1 - w}, {far, w}});
 }
 
 /// The fixed corner of the face of h: its loop starts with the edge into the corner.
@@ -22,27 +22,35 @@ std::int32_t cornerOfFace(const Topology& parent, std::int32_t h) {
 
 }  // namespace
 
-Row zipBoundaryRow(const Topology& parent, const NewPoint& point, double vertexWeight) {
+void addZipBoundaryRow(const Topology& parent, const NewPoint& point, double vertexWeight, Row& row) {
   const std::int32_t v = parent.vert(point.halfEdge);
   const std::int32_t w = parent.dest(point.halfEdge);
   switch (point.kind) {
     case PointKind::edgeMiddle:
-      return {{v, 0.5}, {w, 0.5}};
+      row.insert(row.end(), {{v, 0.5}, {w, 0.5}});
+      return;
     case PointKind::cutStart:
-      return cutPoint(parent, v, w);
+      return addCutPoint(parent, v, w, row);
     case PointKind::cutEnd:
-      return cutPoint(parent, w, v);
+      return addCutPoint(parent, w, v, row);
     case PointKind::fixedCorner:
-      return {{v, 1.0}};
+      row.push_back({v, 1.0});
+      return;
     case PointKind::cornerFaceCorner:
-      return {{cornerOfFace(parent, point.halfEdge), 1.0 / 3}, {v, 1.0 / 3}, {w, 1.0 / 3}};
+      row.insert(row.end(), {{cornerOfFace(parent, point.halfEdge), 1.0 / 3}, {v, 1.0 / 3}, {w, 1.0 / 3}});
+      return;
     case PointKind::boundaryVertex:
-      return {
-          {v, 1 - vertexWeight}, {w, vertexWeight / 2}, {parent.vert(parent.enteringBoundary(v)), vertexWeight / 2}};
-    case PointKind::halfFaceCorner:
-      break;
+      row.insert(
+          row.end(),
+          {{v, 1 - vertexWeight}, {w, vertexWeight / 2}, {parent.vert(parent.enteringBoundary(v)), vertexWeight / 2}});
+      return;
+    default:
+      return;
   }
-  return {};
+}
+
+CreaseRule zipCreases(BoundaryRule boundary) {
+  return {CreaseRule::Reach::any, zip(BoundaryRule::brick), boundary == BoundaryRule::brick};
 }
 
 }  // namespace honeycomb::Far

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "far/schemes/scheme.h"
+#include "far/topology/splits/zip.h"
 
 namespace honeycomb::Far {
 
@@ -10,6 +11,9 @@ namespace honeycomb::Far {
 /// A corner face's points: the mean of the edge's ends and the corner.
 /// eq16 (Zhang and Wang, "Honeycomb Subdivision"): v_b = (1-s) v + s (v_1+v_2)/2 with v_1, v_2 the neighbours on the
 /// boundary and s = `vertexWeight`.
-Row zipBoundaryRow(const Topology& parent, const NewPoint& point, double vertexWeight);
+void addZipBoundaryRow(const Topology& parent, const NewPoint& point, double vertexWeight, Row& row);
+
+/// The crease rule of the schemes on the zip split, which is brick's on both sides; `boundary`: theirs on borders.
+CreaseRule zipCreases(BoundaryRule boundary);
 
 }  // namespace honeycomb::Far

@@ -50,6 +50,8 @@ bool nonNegative(const LevelTable& table) {
   };
   return std::all_of(table.circulants.begin(), table.circulants.end(),
                      [&](const CirculantBatch& batch) { return positive(batch.firstRow, batch.sides); }) &&
+         std::all_of(table.dense.begin(), table.dense.end(),
+                     [&](const DenseRows& rows) { return positive(rows.firstWeight, rows.width); }) &&
          positive(table.loose.firstWeight, table.loose.offsets.back()) &&
          std::all_of(table.projected.begin(), table.projected.end(),
                      [&](const ProjectedFace& face) { return nonNegative(table, face); });

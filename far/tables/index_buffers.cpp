@@ -27,10 +27,7 @@ std::vector<std::int32_t> Refinement::triangles(std::int32_t k) const {
 
 std::vector<std::int32_t> Refinement::lines(std::int32_t k) const {
   const Topology& topology = level(k).topology;
-  const auto leads = [&topology](std::int64_t h) {
-    const std::int32_t twin = topology.twin()[at(h)];
-    return twin < 0 || h < twin;
-  };
+  const auto leads = [&topology](std::int64_t h) { return topology.leads(static_cast<std::int32_t>(h)); };
   std::vector<std::int32_t> place(at(topology.halfEdgeCount()));
   Parallel::forEach(0, topology.halfEdgeCount(), [&](std::int64_t h) { place[at(h)] = leads(h) ? 1 : 0; });
   const std::int64_t edges = Parallel::exclusiveScan(place);

@@ -14,8 +14,8 @@ std::int64_t bytes(const std::vector<T>& v) {
 }  // namespace
 
 std::int64_t LevelTable::byteCount() const {
-  return bytes(circulants) + bytes(projected) + bytes(loose.outputs) + bytes(loose.offsets) + bytes(indices) +
-         bytes(weights) + bytes(weightsSingle);
+  return bytes(circulants) + bytes(projected) + bytes(dense) + bytes(loose.outputs) + bytes(loose.offsets) +
+         bytes(indices) + bytes(weights) + bytes(weightsSingle);
 }
 
 std::int64_t LimitRows::byteCount() const {

@@ -50,6 +50,18 @@ struct ProjectedFace {
 };
 constexpr std::int32_t kProjectionBlock = 256;
 
+/// G rows that share their weights, of one output each: new points of edges and vertices, central control vertices.
+///     out[firstOutput + g] = (w_0 p_0 + w_1 p_1) + ...      p_j = in[indices[firstIndex + g*width + j]]
+/// The order of operations is that of a loose row: a row gives the same bits in either.
+struct DenseRows {
+  std::int32_t width = 0;        ///< entries a row, 1..kWidestDense
+  std::int32_t rowCount = 0;     ///< G
+  std::int32_t firstIndex = 0;   ///< in LevelTable::indices, G x width of them
+  std::int32_t firstOutput = 0;  ///< outputs are contiguous
+  std::int32_t firstWeight = 0;  ///< in the weights: w, width of them
+};
+constexpr std::int32_t kWidestDense = 16;
+
 /// Rows with weights or places of their own, in compressed sparse row form:
 ///     out[outputs[r]] = (weights[b] in[indices[b]] + weights[b+1] in[indices[b+1]]) + ...   b = offsets[r] ..
 ///     offsets[r+1]-1
@@ -70,6 +82,7 @@ struct LevelTable {
   std::int32_t targetCount = 0;  ///< points of this level
   std::vector<CirculantBatch> circulants;
   std::vector<ProjectedFace> projected;
+  std::vector<DenseRows> dense;
   LooseRows loose;
   std::vector<std::int32_t> indices;  ///< source points, of all batches
   std::vector<double> weights;        ///< of all batches

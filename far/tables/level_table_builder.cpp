@@ -6,6 +6,7 @@
 #include "far/base/index.h"
 #include "far/base/parallel.h"
 #include "far/tables/mirrored_polygon.h"
+#include "far/tables/row_writer.h"
 
 namespace honeycomb::Far {
 
@@ -37,17 +38,20 @@ struct Projections {
 
 class Builder {
  public:
-  Builder(const Topology& parent, const SplitResult& split, const Scheme& scheme)
-      : parent_(parent), split_(split), scheme_(scheme) {
-    table_.sourceCount = parent.vertexCount();
-    table_.targetCount = split.topology.vertexCount();
+  Builder(const SourceLevel& source, const SplitResult& split, const Scheme& scheme)
+      : source_(source), parent_(source.topology()), split_(split), scheme_(scheme), rows_(table_) {
+    table_.sourceCount = source.pointCount();
+    table_.targetCount = split.topology.vertexCount() + (scheme.centralPoints ? split.topology.faceCount() : 0);
   }
 
   LevelTable build() {
     for (const FaceRun& run : split_.topology.runs()) {
-      if (run.kind == FaceKind::full && run.parent == FaceParent::face) addFaces(run);
+      // The corner points are the first half-edges of the level: those of its whole face-faces.
+      if (run.firstHalfEdge < split_.cornerPoints) addFaces(run);
     }
     addOtherPoints();
+    if (scheme_.centralPoints) addCentralPoints();
+    rows_.finish();
     table_.weightsSingle.assign(table_.weights.begin(), table_.weights.end());
     return std::move(table_);
   }
@@ -63,6 +67,22 @@ class Builder {
 
   /// A run of whole face-faces: their outputs are the run's half-edges.
   void addFaces(const FaceRun& run) {
+    CirculantRule rule = scheme_.faceRule(run.sides);
+    if (rule.central != 0 && source_.hasCentral()) return addCentralRun(run, rule);
+    rule.mean += rule.central / run.sides;  // without a point of its own, the central control vertex is the barycentre
+    const std::int32_t firstIndex = addCorners(run);
+    if (run.sides <= kLargestCirculant) {
+      const std::vector<double> row = firstRow(rule, run.sides);
+      const std::int32_t firstWeight = addWeights(row);
+      const std::int32_t firstForm = run.sides % 2 == 0 ? addWeights(circulantForm(row)) : firstWeight;
+      table_.circulants.push_back({run.sides, run.faceCount, firstIndex, run.firstHalfEdge, firstWeight, firstForm});
+    } else {
+      addProjectedRun(run, firstIndex, rule);
+    }
+  }
+
+  /// The source points of the corners of a run's faces; returns where they begin.
+  std::int32_t addCorners(const FaceRun& run) {
     const std::int32_t firstIndex = indexCount();
     table_.indices.resize(at(firstIndex) + at(run.faceCount) * at(run.sides));
     Parallel::forEach(0, run.faceCount, [&](std::int64_t g) {
@@ -72,15 +92,31 @@ class Builder {
         table_.indices[at(firstIndex) + at(g) * at(run.sides) + at(i)] = parent_.vert(from + i);
       }
     });
-    const CirculantRule rule = scheme_.faceRule(run.sides);
-    if (run.sides <= kLargestCirculant) {
-      const std::vector<double> row = firstRow(rule, run.sides);
-      const std::int32_t firstWeight = addWeights(row);
-      const std::int32_t firstForm = run.sides % 2 == 0 ? addWeights(circulantForm(row)) : firstWeight;
-      table_.circulants.push_back({run.sides, run.faceCount, firstIndex, run.firstHalfEdge, firstWeight, firstForm});
-    } else {
-      addProjectedRun(run, firstIndex, rule);
+    return firstIndex;
+  }
+
+  /// Corner points by rows: with a central control vertex the stencil has but a few entries that are not zero.
+  void addCentralRun(const FaceRun& run, const CirculantRule& rule) {
+    std::vector<Weight> entries;  // by place in the loop
+    const std::vector<double> weights = firstRow(rule, run.sides);
+    for (std::int32_t k = 0; k < run.sides; ++k) {
+      if (weights[at(k)] != 0) entries.push_back({k, weights[at(k)]});
     }
+    rows_.add(run.firstHalfEdge, std::int64_t{run.faceCount} * run.sides, [&](std::int64_t i, Row& row) {
+      const std::int32_t face = split_.topology.parents()[at(run.firstFace + i / run.sides)];
+      const std::int32_t from = parent_.faceOffsets()[at(face)];
+      const auto corner = static_cast<std::int32_t>(i % run.sides);
+      for (const Weight& entry : entries) {
+        row.push_back({parent_.vert(from + (corner + entry.point) % run.sides), entry.weight});
+      }
+      source_.addCentral(face, rule.central, row);
+    });
+  }
+
+  void addCentralPoints() {
+    rows_.add(split_.topology.vertexCount(), split_.topology.faceCount(), [&](std::int64_t f, Row& row) {
+      scheme_.centralRow(source_, split_, static_cast<std::int32_t>(f), row);
+    });
   }
 
   void addProjectedRun(const FaceRun& run, std::int32_t firstIndex, const CirculantRule& rule) {
@@ -115,37 +151,37 @@ class Builder {
     return firstWeight;
   }
 
-  /// Points that are not corner points of whole faces: half faces one by one, the rest row by row.
+  /// Points that are not corner points of whole faces: mirrored half faces one by one, the rest row by row.
   void addOtherPoints() {
-    std::vector<Row> rows;
-    std::vector<std::int32_t> outputs;
     const std::vector<NewPoint>& points = split_.otherPoints;
+    const auto mirrored = [&](std::size_t i) {
+      return points[i].kind == PointKind::halfFaceCorner && scheme_.halfFaces == HalfFaces::mirrored;
+    };
     for (std::size_t i = 0; i < points.size();) {
       const std::int32_t output = split_.cornerPoints + static_cast<std::int32_t>(i);
-      if (points[i].kind == PointKind::halfFaceCorner && scheme_.halfFaces == HalfFaces::mirrored) {
-        i += at(addHalfFace(parent_.face(points[i].halfEdge), output, rows, outputs));
-      } else {
-        rows.push_back(scheme_.boundaryRow(parent_, points[i]));
-        outputs.push_back(output);
-        ++i;
+      if (mirrored(i)) {
+        i += at(addHalfFace(parent_.face(points[i].halfEdge), output));
+        continue;
       }
+      std::size_t end = i + 1;
+      while (end < points.size() && !mirrored(end)) ++end;
+      rows_.add(output, static_cast<std::int64_t>(end - i),
+                [&](std::int64_t k, Row& row) { scheme_.pointRow(source_, points[i + at(k)], row); });
+      i = end;
     }
-    addLooseRows(rows, std::move(outputs));
   }
 
   /// Returns how many points the half face has.
-  std::int32_t addHalfFace(std::int32_t face, std::int32_t output, std::vector<Row>& rows,
-                           std::vector<std::int32_t>& outputs) {
+  std::int32_t addHalfFace(std::int32_t face, std::int32_t output) {
     const MirroredPolygon polygon(parent_, face);
     const CirculantRule rule = scheme_.faceRule(polygon.sides());
     if (polygon.sides() > kLargestCirculant) {
       addProjectedHalfFace(polygon, rule, output);
     } else {
-      const std::vector<double> row = firstRow(rule, polygon.sides());
-      for (std::int32_t e = 0; e < polygon.edgeCount(); ++e) {
-        rows.push_back(halfFaceRow(polygon, row, polygon.cornerAt(polygon.firstEdge() + e)));
-        outputs.push_back(output + e);
-      }
+      const std::vector<double> weights = firstRow(rule, polygon.sides());
+      rows_.add(output, polygon.edgeCount(), [&](std::int64_t e, Row& row) {
+        row = halfFaceRow(polygon, weights, polygon.cornerAt(polygon.firstEdge() + static_cast<std::int32_t>(e)));
+      });
     }
     return polygon.edgeCount();
   }
@@ -170,31 +206,23 @@ class Builder {
     return row;
   }
 
-  void addLooseRows(const std::vector<Row>& rows, std::vector<std::int32_t> outputs) {
-    LooseRows& loose = table_.loose;
-    loose.firstIndex = indexCount();
-    loose.firstWeight = weightCount();
-    loose.outputs = std::move(outputs);
-    loose.offsets.assign(1, 0);
-    for (const Row& row : rows) {
-      for (const Weight& entry : row) {
-        table_.indices.push_back(entry.point);
-        table_.weights.push_back(entry.weight);
-      }
-      loose.offsets.push_back(loose.offsets.back() + static_cast<std::int32_t>(row.size()));
-    }
-  }
-
+  const SourceLevel& source_;
   const Topology& parent_;
   const SplitResult& split_;
   const Scheme& scheme_;
   LevelTable table_;
+  RowWriter rows_;
 };
 
 }  // namespace
 
-LevelTable buildLevelTable(const Topology& parent, const SplitResult& split, const Scheme& scheme) {
-  return Builder(parent, split, scheme).build();
+LevelTable buildLevelTable(const SourceLevel& source, const SplitResult& split, const Scheme& scheme) {
+  if (split.table) {
+    LevelTable table = *split.table;
+    table.sourceCount = source.pointCount();
+    return table;
+  }
+  return Builder(source, split, scheme).build();
 }
 
 }  // namespace honeycomb::Far

@@ -6,7 +6,8 @@
 
 namespace honeycomb::Far {
 
-/// The table that takes the points of `parent` to those of `split.topology`, with the weights of `scheme`.
-LevelTable buildLevelTable(const Topology& parent, const SplitResult& split, const Scheme& scheme);
+/// The table that takes the points of `source` to those of `split.topology` (followed by central control vertices where
+/// the scheme has them), with the weights of `scheme`.
+LevelTable buildLevelTable(const SourceLevel& source, const SplitResult& split, const Scheme& scheme);
 
 }  // namespace honeycomb::Far

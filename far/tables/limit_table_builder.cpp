@@ -1,12 +1,18 @@
 #include "far/tables/limit_table_builder.h"
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 
 #include "far/base/index.h"
 #include "far/base/parallel.h"
+#include "far/tables/clamped_limits.h"
+#include "far/tables/half_box_patch.h"
+#include "far/tables/level_step.h"
+#include "far/tables/level_table_builder.h"
 #include "far/tables/mirrored_polygon.h"
+#include "far/tables/vertex_patch.h"
 
 namespace honeycomb::Far {
 
@@ -25,6 +31,16 @@ FrameWeights polygonFrame(std::int32_t sides) {
     frame.tangent1[at(j)] = std::cos(angle);
     frame.tangent2[at(j)] = std::sin(angle);
   }
+  return frame;
+}
+
+/// The frame of a polygon with a central control vertex behind its corners, which takes `central` of the position.
+FrameWeights centralFrame(std::int32_t sides, double central) {
+  FrameWeights frame = polygonFrame(sides);
+  for (double& w : frame.position) w *= 1 - central;
+  frame.position.push_back(central);
+  frame.tangent1.push_back(0);
+  frame.tangent2.push_back(0);
   return frame;
 }
 
@@ -63,20 +79,24 @@ class RowsBuilder {
     rows_.indices.insert(rows_.indices.end(), points.begin(), points.end());
   }
 
-  /// All faces of a run, element e(f) for face f, points in loop order.
+  /// All faces of a run, element e(f) for face f; points in loop order, then the central control vertex where the
+  /// frame has one.
   template <class ElementOf>
-  void addRun(const Topology& topology, const FaceRun& run, const ElementOf& elementOf) {
+  void addRun(const SourceLevel& level, const FaceRun& run, const ElementOf& elementOf) {
     FrameBatch& batch = rows_.batches.back();
     batch.count += run.faceCount;
     const std::size_t firstElement = rows_.elements.size();
     const std::size_t firstIndex = rows_.indices.size();
+    const std::int32_t width = batch.sides;
     rows_.elements.resize(firstElement + at(run.faceCount));
-    const auto loops = topology.vert().subspan(at(run.firstHalfEdge), at(run.faceCount) * at(run.sides));
-    rows_.indices.resize(firstIndex + loops.size());
-    Parallel::forEach(0, static_cast<std::int64_t>(loops.size()),
-                      [&](std::int64_t i) { rows_.indices[firstIndex + at(i)] = loops[at(i)]; });
+    rows_.indices.resize(firstIndex + at(run.faceCount) * at(width));
     Parallel::forEach(0, run.faceCount, [&](std::int64_t g) {
-      rows_.elements[firstElement + at(g)] = elementOf(run.firstFace + static_cast<std::int32_t>(g));
+      const std::int32_t f = run.firstFace + static_cast<std::int32_t>(g);
+      std::int32_t* points = rows_.indices.data() + firstIndex + at(g) * at(width);
+      const auto loop = level.topology().vert().subspan(at(run.firstHalfEdge) + at(g) * at(run.sides), at(run.sides));
+      std::copy(loop.begin(), loop.end(), points);
+      if (width > run.sides) points[run.sides] = level.central(f);
+      rows_.elements[firstElement + at(g)] = elementOf(f);
     });
   }
 
@@ -96,10 +116,31 @@ std::vector<std::int32_t> pathVertices(const MirroredPolygon& polygon) {
   return path;
 }
 
-/// The faces of one run of a topology, whatever their kind. Corner faces have their limit at the corner, the second
+/// Elements with frames of their own, put together by equal weights.
+class FrameGroups {
+ public:
+  void add(std::int32_t element, LimitFrame frame) {
+    Group& group = groups_[{frame.position, frame.tangent1, frame.tangent2}];
+    group.emplace_back(element, std::move(frame.points));
+  }
+  void addTo(RowsBuilder& rows) const {
+    for (const auto& group : groups_) {
+      rows.startBatch({group.first[0], group.first[1], group.first[2]});
+      for (const auto& element : group.second) rows.addElement(element.first, element.second);
+    }
+  }
+
+ private:
+  using Group = std::vector<std::pair<std::int32_t, std::vector<std::int32_t>>>;
+  std::map<std::array<std::vector<double>, 3>, Group> groups_;
+};
+
+/// The faces of one run of a level, whatever their kind. Corner faces have their limit at the corner, the second
 /// vertex of their loop.
 template <class ElementOf>
-void addFaceRun(RowsBuilder& rows, const Topology& topology, const FaceRun& run, const ElementOf& elementOf) {
+void addFaceRun(RowsBuilder& rows, const SourceLevel& level, const Scheme& scheme, const FaceRun& run,
+                const ElementOf& elementOf) {
+  const Topology& topology = level.topology();
   if (run.kind == FaceKind::half) {
     rows.startBatch(halfFrame(MirroredPolygon(topology, run.firstFace)));
     for (std::int32_t f = run.firstFace; f < run.firstFace + run.faceCount; ++f) {
@@ -107,26 +148,39 @@ void addFaceRun(RowsBuilder& rows, const Topology& topology, const FaceRun& run,
     }
     return;
   }
+  if (isClamped(run.kind)) {
+    FrameGroups frames;
+    for (std::int32_t f = run.firstFace; f < run.firstFace + run.faceCount; ++f) {
+      frames.add(elementOf(f), clampedFaceFrame(topology, f, scheme.smoothCorners));
+    }
+    return frames.addTo(rows);
+  }
   FrameWeights frame = polygonFrame(run.sides);
   if (run.kind == FaceKind::corner) {
     frame.position.assign(at(run.sides), 0.0);
     frame.position[1] = 1;
+  } else if (scheme.limitCentral && level.hasCentral()) {
+    frame = centralFrame(run.sides, scheme.limitCentral(run.sides));
   }
   rows.startBatch(frame);
-  rows.addRun(topology, run, elementOf);
+  rows.addRun(level, run, elementOf);
 }
 
 /// Vertices without a child face, from the points of their own level.
 class VerticesHere {
  public:
-  explicit VerticesHere(const Topology& level) : level_(level), rows_(level.vertexCount(), level.vertexCount()) {}
+  VerticesHere(const SourceLevel& level, const Scheme& scheme)
+      : level_(level.topology()), scheme_(scheme), rows_(level.pointCount(), level.topology().vertexCount()) {}
 
   LimitRows build(const std::vector<std::int32_t>& vertices) {
     // Grouped by shape, so that each shape's weights stand once: mid-points by the weights of their two neighbours.
     std::map<std::int32_t, std::vector<std::int32_t>> mids;
     std::map<std::int32_t, std::vector<std::int32_t>> others;
+    FrameGroups clamped;
     for (const std::int32_t v : vertices) {
-      if (level_.vertexTag(v) == VertexTag::mid) {
+      if (onClampedBoundary(level_, v)) {
+        clamped.add(v, clampedBoundaryFrame(level_, v, scheme_.smoothCorners));
+      } else if (level_.vertexTag(v) == VertexTag::mid) {
         mids[10 * neighbourWeight(before(v)) + neighbourWeight(after(v))].push_back(v);
       } else {
         others[level_.sides(level_.face(level_.outgoing(v)))].push_back(v);
@@ -134,6 +188,7 @@ class VerticesHere {
     }
     for (const auto& group : mids) addMids(group.second);
     for (const auto& group : others) addLeftBehind(group.first, group.second);
+    clamped.addTo(rows_);
     return rows_.finish();
   }
 
@@ -177,20 +232,55 @@ class VerticesHere {
   }
 
   const Topology& level_;
+  const Scheme& scheme_;
   RowsBuilder rows_;
 };
 
-LimitRows faceRows(const Topology& level) {
-  RowsBuilder rows(level.vertexCount(), level.faceCount());
-  for (const FaceRun& run : level.runs()) addFaceRun(rows, level, run, [](std::int32_t f) { return f; });
+LimitRows faceRows(const SourceLevel& level, const Scheme& scheme) {
+  RowsBuilder rows(level.pointCount(), level.topology().faceCount());
+  for (const FaceRun& run : level.topology().runs()) {
+    addFaceRun(rows, level, scheme, run, [](std::int32_t f) { return f; });
+  }
   return rows.finish();
 }
 
-LimitRows vertexRows(const Topology& level, const Topology& child) {
-  RowsBuilder rows(child.vertexCount(), level.vertexCount());
-  const auto vertexOf = [&child](std::int32_t f) { return child.parents()[at(f)]; };
-  for (const FaceRun& run : child.runs()) {
-    if (run.parent == FaceParent::vertex) addFaceRun(rows, child, run, vertexOf);
+/// Vertices by the faces they become.
+void addChildFaces(RowsBuilder& rows, const SourceLevel& child, const Scheme& scheme) {
+  const Topology& topology = child.topology();
+  const auto vertexOf = [&topology](std::int32_t f) { return topology.parents()[at(f)]; };
+  for (const FaceRun& run : topology.runs()) {
+    if (run.parent == FaceParent::vertex) addFaceRun(rows, child, scheme, run, vertexOf);
+  }
+}
+
+/// Vertices by the patches of their new places, whose faces are the hexagons of their edges; beside a clamped boundary
+/// some are sides.
+void addPatchCentres(RowsBuilder& rows, const Topology& level, const SplitResult& child) {
+  const PatchFrameWeights weights = patchCentreWeights({6, 6, 6});
+  rows.startBatch({weights.position, weights.tangent1, weights.tangent2});
+  FrameGroups clamped;
+  for (std::size_t i = 0; i < child.otherPoints.size(); ++i) {
+    const NewPoint& point = child.otherPoints[i];
+    const std::int32_t place = child.cornerPoints + static_cast<std::int32_t>(i);
+    if (point.kind != PointKind::vertexPoint || child.topology.onBoundary(place)) continue;
+    const VertexPatch patch(child.topology, place);
+    const std::int32_t v = level.vert(point.halfEdge);
+    if (patch.regular()) {
+      rows.addElement(v, patch.points());
+    } else if (besideClampedBoundary(child.topology, place)) {
+      clamped.add(v, clampedPatchCentre(child.topology, place));
+    }
+  }
+  clamped.addTo(rows);
+}
+
+LimitRows vertexRows(const Topology& level, const SplitResult& child, const SourceLevel& childLevel,
+                     const Scheme& scheme) {
+  RowsBuilder rows(childLevel.pointCount(), level.vertexCount());
+  if (scheme.vertexLimits == VertexLimits::patchCentre) {
+    addPatchCentres(rows, level, child);
+  } else {
+    addChildFaces(rows, childLevel, scheme);
   }
   return rows.finish();
 }
@@ -207,12 +297,21 @@ std::vector<std::int32_t> childless(const Topology& level, const LimitRows& with
 
 }  // namespace
 
-LimitTable buildLimitTable(const Topology& level, const SplitResult& child, LevelTable childTable) {
+Result<LimitTable> buildLimitTable(const Level& level, const Scheme& lastStep) {
+  const Scheme& scheme = lastStep.after ? *lastStep.after : lastStep;
+  const SourceLevel here(level.topology, level.central);
+  const Result<SplitResult> child = splitFor(level.topology, scheme).apply(level.topology);
+  if (!child) return tl::unexpected(child.error());
+  if (child->table) {
+    return fail(ErrorCode::unsupported,
+                "limits of " + scheme.name + " are not known; end with a level of another scheme, or without limits");
+  }
+  const SourceLevel there(child->topology, scheme.centralPoints ? CentralPoints::byFace : CentralPoints::none);
   LimitTable limits;
-  limits.faces = faceRows(level);
-  limits.vertices = vertexRows(level, child.topology);
-  limits.verticesHere = VerticesHere(level).build(childless(level, limits.vertices));
-  limits.child = std::move(childTable);
+  limits.faces = faceRows(here, scheme);
+  limits.vertices = vertexRows(level.topology, *child, there, scheme);
+  limits.verticesHere = VerticesHere(here, scheme).build(childless(level.topology, limits.vertices));
+  limits.child = buildLevelTable(here, *child, scheme);
   return limits;
 }
 

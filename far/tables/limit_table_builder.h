@@ -1,11 +1,11 @@
 #pragma once
 
-#include "far/tables/limit_table.h"
-#include "far/topology/split.h"
+#include "far/schemes/scheme.h"
+#include "far/tables/refinement.h"
 
 namespace honeycomb::Far {
 
-/// Limits of a level: `child` is the level after it and `childTable` how to get there, by the scheme of the last step.
-LimitTable buildLimitTable(const Topology& level, const SplitResult& child, LevelTable childTable);
+/// Limits of a level that `lastStep` has made. Errors: those of its split.
+Result<LimitTable> buildLimitTable(const Level& level, const Scheme& lastStep);
 
 }  // namespace honeycomb::Far

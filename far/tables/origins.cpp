@@ -43,17 +43,28 @@ struct LevelOrigins {
   std::vector<Origin> faces, vertices;
 };
 
+/// The origin of a parent; an edge's is that of the face its lower half-edge lies in.
+Origin parentOrigin(const Topology& level, const LevelOrigins& origins, FaceParent kind, std::int32_t parent) {
+  switch (kind) {
+    case FaceParent::face:
+      return origins.faces[at(parent)];
+    case FaceParent::vertex:
+      return origins.vertices[at(parent)];
+    default:
+      return origins.faces[at(level.face(parent))];
+  }
+}
+
 LevelOrigins originsOf(const Refinement& refinement, std::int32_t k) {
   LevelOrigins origins{baseFaces(refinement.level(0).topology), baseVertices(refinement.level(0).topology)};
   for (std::int32_t level = 1; level <= k; ++level) {
     const Topology& topology = refinement.level(level).topology;
     std::vector<Origin> faces(at(topology.faceCount()));
     for (const FaceRun& run : topology.runs()) {
-      const bool fromFace = run.parent == FaceParent::face;
       Parallel::forEach(run.firstFace, run.firstFace + run.faceCount, [&](std::int64_t f) {
-        const std::size_t parent = at(topology.parents()[at(f)]);
-        faces[at(f)] = fromFace ? origins.faces[parent] : origins.vertices[parent];
-        if (!fromFace) faces[at(f)].level = level;
+        const std::int32_t parent = topology.parents()[at(f)];
+        faces[at(f)] = parentOrigin(refinement.level(level - 1).topology, origins, run.parent, parent);
+        if (run.parent != FaceParent::face) faces[at(f)].level = level;
       });
     }
     std::vector<Origin> vertices = vertexOriginsFrom(refinement.level(level), origins.faces, faces);

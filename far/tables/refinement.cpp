@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "far/base/index.h"
-#include "far/tables/level_table_builder.h"
+#include "far/schemes/creases.h"
+#include "far/tables/level_step.h"
 #include "far/tables/limit_table_builder.h"
+#include "far/topology/crease_cut.h"
 
 namespace honeycomb::Far {
 
@@ -41,47 +44,78 @@ BatchWeights batchWeights(const Topology& control) {
   return weights;
 }
 
-/// Bytes of the arrays of a level and its table, about: three numbers a half-edge, two a face, one a vertex, an index
-/// an output and the weights; points of the boundary rule have rows of about six entries.
-std::int64_t levelBytes(const Census& census, std::int64_t weights) {
+/// Bytes of the arrays of a level and its table, about: three numbers a half-edge, two a face, one a vertex, the
+/// indices and the weights; points of the boundary rule have rows of about six entries.
+std::int64_t levelBytes(const Census& census, std::int64_t weights, const Scheme* scheme) {
   constexpr std::int64_t kWeight = sizeof(double) + sizeof(float);
   constexpr std::int64_t kLooseRow = 2 * sizeof(std::int32_t) + 6 * (sizeof(std::int32_t) + kWeight);
   const std::int64_t topology =
       12 * census.halfEdges + 8 * census.faces + 4 * census.vertices + 5 * census.boundaryEdges;
   const std::int64_t tags = census.boundaryEdges > 0 ? census.vertices : 0;
-  if (weights == 0) return topology + tags;
-  const std::int64_t table = 4 * census.vertices + kLooseRow * std::min(census.boundaryEdges * 3, census.vertices);
+  if (scheme == nullptr) return topology + tags;
+  const std::int64_t table =
+      4 * scheme->entriesPerVertex * census.vertices + kLooseRow * std::min(census.boundaryEdges * 3, census.vertices);
   return topology + tags + table + kWeight * weights;
 }
 
-/// `weights`: of the level's table; none at level 0.
-LevelCounts counts(const Census& census, std::int64_t weights) {
+/// `scheme`: that of the level's table, which has that many weights; none at level 0.
+LevelCounts counts(const Census& census, std::int64_t weights, const Scheme* scheme) {
   LevelCounts c;
   c.vertices = census.vertices;
   c.edges = census.edges;
   c.faces = census.faces;
   c.halfEdges = census.halfEdges;
   c.boundaryEdges = census.boundaryEdges;
-  c.bytes = levelBytes(census, weights);
+  c.points = census.vertices + (scheme != nullptr && scheme->centralPoints ? census.faces : 0);
+  c.bytes = levelBytes(census, weights, scheme);
   c.exact = census.exact;
   return c;
 }
 
-Census grow(const Scheme& scheme, const Census& parent) {
+Census grow(const Split& split, const Census& parent) {
   if (parent.halfEdges > kCountable) return parent;
-  Census child = scheme.split.grow(parent);
+  Census child = split.grow(parent);
   child.exact = child.exact && child.halfEdges <= kCountable;
   return child;
 }
 
-/// About what refine() holds at its peak: all levels, the scratch of the split that makes the largest, and with limits
-/// the rows that read the child level.
-std::int64_t peakBytes(const std::vector<LevelCounts>& levels, bool limits) {
-  std::int64_t bytes = 0;
-  for (const LevelCounts& level : levels) bytes += level.bytes;
-  bytes += 4 * levels.back().halfEdges;
-  if (limits) bytes += 12 * levels.back().halfEdges;
-  return bytes;
+/// The census of one level after the other. A mesh with creases is counted twice, as if they were never closed and as
+/// if there were none: the levels on which some are closed lie between.
+class Growth {
+ public:
+  explicit Growth(const Topology& control) : smooth_(takeCensus(control)) {
+    for (const CreaseEdge& crease : control.creases()) {
+      firstClosed_ = std::min(firstClosed_, std::ceil(crease.sharpness));
+      lastClosed_ = std::max(lastClosed_, std::ceil(crease.sharpness));
+    }
+    if (lastClosed_ > 0) cut_ = takeCensus(cutCreases(control, 0).topology);
+  }
+
+  void step(const Scheme& scheme) {
+    ++level_;
+    if (level_ < lastClosed_ && scheme.creases.reach != CreaseRule::Reach::none)
+      cut_ = grow(scheme.creases.split, cut_);
+    smooth_ = grow(scheme.split, smooth_);
+  }
+
+  Census census() const {
+    if (level_ == 0 || level_ >= lastClosed_) return smooth_;
+    Census census = cut_;
+    census.exact = census.exact && level_ < firstClosed_;
+    return census;
+  }
+
+ private:
+  double firstClosed_ = std::numeric_limits<double>::infinity();  // the first level on which a crease is closed,
+  double lastClosed_ = 0;                                         // and the first on which all are
+  double level_ = 0;
+  Census smooth_, cut_;
+};
+
+/// An error of the step to level k + 1. Numbers of a refined level's vertices and faces mean nothing to the caller.
+Error ofStep(std::size_t k, Error error) {
+  if (k == 0) return error;
+  return {error.code, fmt::format("level {}: {}", k, error.message)};
 }
 
 Result<void> checkSize(const Topology& control, std::span<const Scheme> perLevel, const RefineOptions& options) {
@@ -97,7 +131,8 @@ Result<void> checkSize(const Topology& control, std::span<const Scheme> perLevel
                   static_cast<std::int64_t>(k));
     }
   }
-  const std::int64_t bytes = peakBytes(levels, options.limits);
+  const BuildBytes build = buildBytes(levels, options.limits);
+  const std::int64_t bytes = build.tables + build.scratch;
   if (options.memoryLimit > 0 && bytes > options.memoryLimit) {
     return fail(ErrorCode::tooLarge,
                 fmt::format("{} levels would take about {} MB of tables, and {} MB may be used; use fewer levels",
@@ -109,14 +144,25 @@ Result<void> checkSize(const Topology& control, std::span<const Scheme> perLevel
 }  // namespace
 
 std::vector<LevelCounts> predict(const Topology& control, std::span<const Scheme> perLevel) {
-  Census census = takeCensus(control);
+  Growth growth(control);
   const BatchWeights weights = batchWeights(control);
-  std::vector<LevelCounts> levels{counts(census, 0)};
+  std::vector<LevelCounts> levels{counts(growth.census(), 0, nullptr)};
   for (const Scheme& scheme : perLevel) {
-    census = grow(scheme, census);
-    levels.push_back(counts(census, levels.size() == 1 ? weights.first : weights.later));
+    growth.step(scheme);
+    levels.push_back(counts(growth.census(), levels.size() == 1 ? weights.first : weights.later, &scheme));
   }
   return levels;
+}
+
+BuildBytes buildBytes(std::span<const LevelCounts> levels, bool limits) {
+  // What a split keeps beside its result, and the rows of the limits, a half-edge.
+  constexpr std::int64_t kSplitScratch = 4, kLimitRows = 12;
+  BuildBytes bytes;
+  for (const LevelCounts& level : levels) bytes.tables += level.bytes;
+  const std::int64_t halfEdges = levels.empty() ? 0 : levels.back().halfEdges;
+  if (limits) bytes.tables += kLimitRows * halfEdges;
+  bytes.scratch = kSplitScratch * halfEdges;
+  return bytes;
 }
 
 Result<Refinement> refine(const Topology& control, std::span<const Scheme> perLevel, const RefineOptions& options) {
@@ -127,22 +173,21 @@ Result<Refinement> refine(const Topology& control, std::span<const Scheme> perLe
   if (options.limits && perLevel.empty()) {
     return fail(ErrorCode::invalidOption, "limits need a scheme; refine by at least one level");
   }
+  if (auto creased = checkCreases(control, perLevel); !creased) return tl::unexpected(creased.error());
   if (auto sized = checkSize(control, perLevel, options); !sized) return tl::unexpected(sized.error());
   std::vector<Level> levels;
   levels.reserve(perLevel.size() + 1);
-  levels.push_back({control, {}});
+  levels.push_back({control, {}, options.centralPoints ? CentralPoints::byInputFace : CentralPoints::none});
   for (const Scheme& scheme : perLevel) {
-    Result<SplitResult> split = scheme.split.apply(levels.back().topology);
-    if (!split) return tl::unexpected(split.error());
-    LevelTable table = buildLevelTable(levels.back().topology, *split, scheme);
-    levels.push_back({std::move(split->topology), std::move(table)});
+    Result<Level> level = nextLevel(levels.back(), scheme);
+    if (!level) return tl::unexpected(ofStep(levels.size() - 1, level.error()));
+    levels.push_back(std::move(*level));
   }
   LimitTable limits;
   if (options.limits) {
-    const Result<SplitResult> child = perLevel.back().split.apply(levels.back().topology);
-    if (!child) return tl::unexpected(child.error());
-    limits = buildLimitTable(levels.back().topology, *child,
-                             buildLevelTable(levels.back().topology, *child, perLevel.back()));
+    Result<LimitTable> built = buildLimitTable(levels.back(), perLevel.back());
+    if (!built) return tl::unexpected(built.error());
+    limits = std::move(*built);
   }
   return Refinement(std::move(levels), std::move(limits));
 }
@@ -154,6 +199,11 @@ Result<Refinement> refine(const Topology& control, const Scheme& scheme, std::in
   }
   const std::vector<Scheme> perLevel(at(levels), scheme);
   return refine(control, perLevel, options);
+}
+
+Refinement Refinement::followedBy(Level level) && {
+  levels_.push_back(std::move(level));
+  return Refinement(std::move(levels_), {});
 }
 
 std::int64_t Refinement::byteCount() const {

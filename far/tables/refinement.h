@@ -13,6 +13,8 @@
 namespace honeycomb::Far {
 
 struct RefineOptions {
+  bool centralPoints = false;    ///< the control points are [vertices | one central control vertex a face, in the
+                                 ///< caller's order]; false: vertices, and a scheme that wants them takes barycentres
   bool limits = false;           ///< also build the LimitTable of the last level (costs about three times its tables)
   std::int64_t memoryLimit = 0;  ///< bytes the tables may take; 0: no limit
 };
@@ -29,6 +31,10 @@ struct Origin {
 struct Level {
   Topology topology;
   LevelTable table;
+  CentralPoints central = CentralPoints::none;  ///< what the level's points are beside its vertices
+
+  /// [vertices | central control vertices, where there are any].
+  std::int32_t pointCount() const { return SourceLevel(topology, central).pointCount(); }
 };
 
 /// All levels of a mesh under a chain of schemes, built once; evaluators apply the tables every frame. Immutable.
@@ -55,6 +61,10 @@ class Refinement {
   /// Where each vertex of level k comes from: the origin of the face of level k-1 it was made in.
   std::vector<Origin> vertexOrigins(std::int32_t k) const;
 
+  /// This refinement, without limits, and a last level that is given, such as a tessellation of the limit surface. Its
+  /// table reads the points of the level that was last; its faces have no origins.
+  Refinement followedBy(Level level) &&;
+
   std::int64_t byteCount() const;
 
  private:
@@ -75,10 +85,19 @@ constexpr std::int32_t kMaxLevels = 20;
 /// What a level will have, known before anything is built.
 struct LevelCounts {
   std::int64_t vertices = 0, edges = 0, faces = 0, halfEdges = 0, boundaryEdges = 0;
-  std::int64_t bytes = 0;  ///< topology and table of this level
-  bool exact = true;       ///< false: an upper bound (the erosion of `drop` and `eq16` depends on the boundary's shape)
+  std::int64_t points = 0;  ///< vertices, and central control vertices where the step to this level makes them
+  std::int64_t bytes = 0;   ///< topology and table of this level
+  bool exact = true;  ///< false: an upper bound (the erosion of `drop` and `eq16` depends on the boundary's shape)
 };
 /// Counts of levels 0..perLevel.size(), without building any.
 std::vector<LevelCounts> predict(const Topology& control, std::span<const Scheme> perLevel);
+
+/// About what refine() takes.
+struct BuildBytes {
+  std::int64_t tables = 0;   ///< of all levels and the limits
+  std::int64_t scratch = 0;  ///< besides them while the largest level is made
+};
+/// `levels`: predicted, from level 0. With limits its last is one behind the refinement's, which the limits read.
+BuildBytes buildBytes(std::span<const LevelCounts> levels, bool limits);
 
 }  // namespace honeycomb::Far

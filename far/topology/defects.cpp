@@ -8,6 +8,7 @@
 
 #include "far/base/index.h"
 #include "far/base/parallel.h"
+#include "far/topology/crease_edges.h"
 #include "far/topology/edge_matching.h"
 
 namespace honeycomb::Far {
@@ -117,10 +118,11 @@ void inspectVertices(const Polygons& polygons, Inspection& inspection) {
       if (verdict[at(v)] == (kind == DefectKind::bowTie ? 1 : 2)) inspection.defects.push_back({kind, -1, v, -1, -1});
     }
   }
+  const std::vector<std::uint8_t> onCrease = creaseVertices(polygons);
   for (const std::int32_t v : polygons.corners) {
     const bool inRange = v >= 0 && v < polygons.vertexCount;
     const std::int32_t out = inRange ? outgoing[at(v)] : -1;
-    if (out < 0 || inspection.edges.twin[at(out)] >= 0) {
+    if (out < 0 || (inspection.edges.twin[at(out)] >= 0 && onCrease[at(v)] == 0)) {
       inspection.defects.push_back({DefectKind::cornerNotOnBoundary, -1, v, -1, -1});
     }
   }
@@ -141,6 +143,8 @@ Inspection inspect(const Polygons& polygons) {
   std::stable_sort(overused, inspection.edges.defects.end(), byFace);
   inspection.defects.insert(inspection.defects.end(), inspection.edges.defects.begin(), inspection.edges.defects.end());
   inspectVertices(polygons, inspection);
+  const std::vector<Defect> creases = CreaseEdges(polygons).defects(polygons, inspection.cornerFace, sound);
+  inspection.defects.insert(inspection.defects.end(), creases.begin(), creases.end());
   std::stable_sort(inspection.defects.begin(), inspection.defects.end(),
                    [](const Defect& a, const Defect& b) { return a.kind < b.kind; });
   return inspection;
@@ -169,7 +173,15 @@ std::string describe(const Defect& d) {
     case DefectKind::isolatedVertex:
       return fmt::format("vertex {} is in no face", d.vertex);
     case DefectKind::cornerNotOnBoundary:
-      return fmt::format("vertex {} is tagged a corner but is not on a boundary", d.vertex);
+      return fmt::format("vertex {} is tagged a corner but is neither on a boundary nor on a crease", d.vertex);
+    case DefectKind::creaseSharpness:
+      return fmt::format("the crease between vertices {} and {} has a sharpness that is negative or not finite",
+                         d.vertex, d.vertex2);
+    case DefectKind::creaseConflict:
+      return fmt::format("the edge between vertices {} and {} has two creases of different sharpness", d.vertex,
+                         d.vertex2);
+    case DefectKind::creaseWithoutEdge:
+      return fmt::format("there is a crease between vertices {} and {}, but no edge", d.vertex, d.vertex2);
   }
   return {};
 }
@@ -192,6 +204,12 @@ std::string_view remedy(DefectKind kind) {
       return "remove the vertex";
     case DefectKind::cornerNotOnBoundary:
       return "remove the tag";
+    case DefectKind::creaseSharpness:
+      return "give it a sharpness from 0 to 10, which is infinite";
+    case DefectKind::creaseConflict:
+      return "leave one of them";
+    case DefectKind::creaseWithoutEdge:
+      return "remove the crease or name two neighbours";
   }
   return {};
 }

@@ -11,14 +11,17 @@ namespace honeycomb::Far {
 
 /// The ways in which polygons can fail to be an oriented manifold, in the order in which they are looked for.
 enum class DefectKind {
-  indexOutOfRange,     ///< a corner names a vertex that isn't there
-  tooFewSides,         ///< a face with fewer than three corners
-  repeatedVertex,      ///< a vertex twice in one face
-  edgeOverused,        ///< more than two faces on one edge
-  opposedFaces,        ///< two faces run along an edge in the same direction
-  bowTie,              ///< the faces at a vertex form more than one fan
-  isolatedVertex,      ///< a vertex in no face
-  cornerNotOnBoundary  ///< a corner tag on a vertex inside the mesh
+  indexOutOfRange,      ///< a corner names a vertex that isn't there
+  tooFewSides,          ///< a face with fewer than three corners
+  repeatedVertex,       ///< a vertex twice in one face
+  edgeOverused,         ///< more than two faces on one edge
+  opposedFaces,         ///< two faces run along an edge in the same direction
+  bowTie,               ///< the faces at a vertex form more than one fan
+  isolatedVertex,       ///< a vertex in no face
+  cornerNotOnBoundary,  ///< a corner tag on a vertex that is neither on a boundary nor on a crease
+  creaseSharpness,      ///< a crease whose sharpness is negative or not a number
+  creaseConflict,       ///< an edge that has two creases of different sharpness
+  creaseWithoutEdge     ///< a crease between vertices that no edge joins
 };
 
 /// One defect, in the caller's face and vertex numbers; -1 where a number has no meaning.

@@ -33,6 +33,9 @@ Census takeCensus(const Topology& topology) {
   census.faces = topology.faceCount();
   census.halfEdges = topology.halfEdgeCount();
   census.boundaryEdges = topology.boundaryEdgeCount();
+  for (const FaceRun& run : topology.runs()) {
+    if (run.kind == FaceKind::clampedGap) census.gaps += run.faceCount;
+  }
   for (std::size_t rank = 0; rank < topology.boundary().size(); ++rank) {
     countBoundaryEdge(topology, rank, census);
     switch (topology.vertexTag(topology.vert(topology.boundary()[rank]))) {

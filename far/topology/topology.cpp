@@ -7,6 +7,7 @@
 
 #include "far/base/index.h"
 #include "far/base/parallel.h"
+#include "far/topology/crease_edges.h"
 #include "far/topology/edge_matching.h"
 
 namespace honeycomb::Far {
@@ -89,7 +90,9 @@ void tagBoundary(const Polygons& polygons, TopologyArrays& arrays) {
   arrays.boundaryTags.assign(arrays.boundary.size(), EdgeTag::onLine);
   arrays.vertexTags.assign(at(arrays.vertexCount), VertexTag::interior);
   for (const std::int32_t h : arrays.boundary) arrays.vertexTags[at(arrays.vert[at(h)])] = VertexTag::real;
-  for (const std::int32_t v : polygons.corners) arrays.vertexTags[at(v)] = VertexTag::corner;
+  for (const std::int32_t v : polygons.corners) {
+    if (arrays.vertexTags[at(v)] == VertexTag::real) arrays.vertexTags[at(v)] = VertexTag::corner;
+  }
 }
 
 }  // namespace
@@ -102,6 +105,7 @@ Result<Topology> Topology::create(const Polygons& polygons) {
   copyLoops(polygons, inspection.edges, arrays);
   arrays.outgoing = outgoingCorners(arrays.vert, arrays.twin, arrays.vertexCount);
   tagBoundary(polygons, arrays);
+  addCreases(polygons, arrays);
   return Topology(std::move(arrays));
 }
 
@@ -126,16 +130,17 @@ std::int32_t Topology::enteringBoundary(std::int32_t v) const {
   return p;
 }
 
-FaceParent Topology::parentKind(std::int32_t f) const {
+const FaceRun& Topology::run(std::int32_t f) const {
   const auto after = std::upper_bound(a_.runs.begin(), a_.runs.end(), f,
                                       [](std::int32_t face, const FaceRun& run) { return face < run.firstFace; });
-  return std::prev(after)->parent;
+  return *std::prev(after);
 }
 
 std::int64_t Topology::byteCount() const {
   std::size_t bytes = a_.runs.size() * sizeof(FaceRun) + a_.boundaryTags.size() * sizeof(EdgeTag) +
-                      a_.vertexTags.size() * sizeof(VertexTag);
-  for (const auto* array : {&a_.vert, &a_.twin, &a_.face, &a_.faceOffsets, &a_.outgoing, &a_.parents, &a_.boundary}) {
+                      a_.vertexTags.size() * sizeof(VertexTag) + a_.creases.size() * sizeof(CreaseEdge);
+  for (const auto* array :
+       {&a_.vert, &a_.twin, &a_.face, &a_.faceOffsets, &a_.outgoing, &a_.parents, &a_.boundary, &a_.heldCorners}) {
     bytes += array->size() * sizeof(std::int32_t);
   }
   return static_cast<std::int64_t>(bytes);

@@ -9,8 +9,24 @@
 
 namespace honeycomb::Far {
 
-/// How a face was cut by the brick boundary rule: whole, in half by the boundary line, or to a corner of the boundary.
-enum class FaceKind : std::uint8_t { full, half, corner };
+/// How a face was cut by a boundary rule. The brick rule cuts faces in half by the boundary line, or to a corner of the
+/// boundary. The clamped rule of half-box splines ends the surface in faces whose boundary vertices are Bezier points
+/// of the boundary curve: sides, corners, and the triangles in the gaps between two of these.
+enum class FaceKind : std::uint8_t {
+  full,
+  half,
+  corner,
+  clampedSide,    ///< loop L, R, q_1 .. q_m: the curve passes smoothly through the middle of L and R
+  clampedCorner,  ///< loop L, J, R, q_1 .. q_m: the curve has a corner at J
+  clampedGap      ///< loop R, L of the next face along the boundary, q_1 of this face and q_m of the next
+};
+constexpr std::size_t kFaceKinds = 6;
+constexpr bool isCutByBrick(FaceKind kind) {
+  return kind == FaceKind::half || kind == FaceKind::corner;
+}
+constexpr bool isClamped(FaceKind kind) {
+  return kind != FaceKind::full && !isCutByBrick(kind);
+}
 
 /// What a face of a refined level was made from.
 enum class FaceParent : std::uint8_t { face, vertex, edge };
@@ -36,6 +52,15 @@ struct FaceRun {
   bool operator==(const FaceRun&) const = default;
 };
 
+/// An edge along which a level is sharp. At level 0, where it is an edge like others, its two half-edges; refined
+/// levels are cut open along their creases, and these are the half-edges on the two sides of the cut.
+struct CreaseEdge {
+  std::int32_t halfEdge = 0;  ///< the lower of the two
+  std::int32_t mate = 0;
+  double sharpness = 0;  ///< steps for which it stays sharp, from this level on; infinity: for all
+  bool operator==(const CreaseEdge&) const = default;
+};
+
 /// The arrays of one level, as a split hands them over; Topology only reads them afterwards.
 struct TopologyArrays {
   std::int32_t vertexCount = 0;
@@ -51,6 +76,8 @@ struct TopologyArrays {
   std::vector<std::int32_t> boundary;     ///< the boundary half-edges, ascending
   std::vector<EdgeTag> boundaryTags;      ///< one each
   std::vector<VertexTag> vertexTags;      ///< per vertex; empty when nothing is on a boundary
+  std::vector<CreaseEdge> creases;        ///< ascending by half-edge, sharpness > 0
+  std::vector<std::int32_t> heldCorners;  ///< with creases: the vertices that the caller tagged corners, ascending
 };
 
 /// The connectivity of one level: half-edges stored as the concatenated loops of faces sorted into runs, so that a
@@ -102,8 +129,13 @@ class Topology {
     return h == a_.faceOffsets[f] ? a_.faceOffsets[f + 1] - 1 : h - 1;
   }
   std::int32_t dest(std::int32_t h) const { return vert(next(h)); }
+  /// Does h stand for its edge: the lower of its two half-edges, or the only one?
+  bool leads(std::int32_t h) const { return twin(h) < 0 || h < twin(h); }
   /// The next outgoing half-edge counter-clockwise round vert(h); -1 past the last face of a boundary vertex.
   std::int32_t nextOutgoing(std::int32_t h) const { return twin(prev(h)); }
+
+  std::span<const CreaseEdge> creases() const { return a_.creases; }
+  std::span<const std::int32_t> heldCorners() const { return a_.heldCorners; }
 
   VertexTag vertexTag(std::int32_t v) const {
     return a_.vertexTags.empty() ? VertexTag::interior : a_.vertexTags[index(v)];
@@ -114,13 +146,22 @@ class Topology {
   /// Number of faces at v: walks round it.
   std::int32_t facesAt(std::int32_t v) const;
 
+  /// Is v inside, or on the boundary with two faces or more?
+  bool keepsFace(std::int32_t v) const { return nextOutgoing(outgoing(v)) >= 0; }
+
   /// The boundary half-edge that enters a boundary vertex: walks round it.
   std::int32_t enteringBoundary(std::int32_t v) const;
-  /// What face f was made from; finds its run by bisection.
-  FaceParent parentKind(std::int32_t f) const;
+  /// The run of face f, by bisection.
+  const FaceRun& run(std::int32_t f) const;
+  /// What face f was made from.
+  FaceParent parentKind(std::int32_t f) const { return run(f).parent; }
 
   /// Bytes held by the arrays.
   std::int64_t byteCount() const;
+
+  /// The arrays, to make another topology of.
+  const TopologyArrays& arrays() const& { return a_; }
+  TopologyArrays arrays() && { return std::move(a_); }
 
   /// At level 0: the caller's number of face f.
   std::int32_t inputFace(std::int32_t f) const { return a_.parents[index(f)]; }

@@ -7,8 +7,8 @@
 namespace honeycomb::Osd {
 
 /// The kernels, one file each in shaders/.
-enum class Kernel : std::uint32_t { circulant, projectedBlocks, projectedSums, projected, loose, limits };
-constexpr std::uint32_t kKernelCount = 6;
+enum class Kernel : std::uint32_t { circulant, projectedBlocks, projectedSums, projected, dense, loose, limits };
+constexpr std::uint32_t kKernelCount = 7;
 
 /// The specialisation constants of shaders/evaluate.glsl, by constant_id.
 struct Specialization {
@@ -17,7 +17,7 @@ struct Specialization {
   std::uint32_t sourceStride = 3;
   std::uint32_t targetStride = 3;
   std::uint32_t normalStride = 3;
-  std::uint32_t sides = 6;
+  std::uint32_t sides = 6;  ///< or the width of dense rows
   std::uint32_t pageShift = 0;
   std::uint32_t windowed = 0;
   /// All of them in order, to be compared.

@@ -6,6 +6,7 @@ namespace honeycomb::Osd {
 
 namespace {
 #include "shaders/circulant.comp.h"
+#include "shaders/dense.comp.h"
 #include "shaders/limits.comp.h"
 #include "shaders/loose.comp.h"
 #include "shaders/projected.comp.h"
@@ -23,6 +24,8 @@ std::span<const std::uint32_t> kernelCode(Kernel kernel) {
       return kProjectedSumsComp;
     case Kernel::projected:
       return kProjectedComp;
+    case Kernel::dense:
+      return kDenseComp;
     case Kernel::loose:
       return kLooseComp;
     default:

@@ -8,7 +8,8 @@ namespace honeycomb::Osd {
 
 namespace {
 
-using Far::CirculantBatch;
+static_assert(Far::kWidestDense <= kUnrolledSides, "the weights of dense rows are push constants");
+
 using Far::LevelTable;
 
 // The arrays of a level in the table's buffer.
@@ -16,15 +17,26 @@ struct LevelSections {
   Section indices, weights, outputs, offsets;
 };
 
-struct FaceRange {
+// A batch of items (faces of a circulant, dense rows) of one shape, which write one block of points after the other.
+struct ItemBatch {
+  Kernel kernel = Kernel::circulant;
+  std::int64_t count = 0;
+  std::int64_t firstIndex = 0;
+  std::int64_t indices = 0;  // an item: sides, or the width of a row
+  std::int64_t firstOutput = 0;
+  std::int64_t outputs = 0;  // an item
+  std::int64_t firstWeight = 0;
+};
+
+struct ItemRange {
   std::int64_t begin = 0, end = 0;
 };
 
-// The faces of `range` that have values in the window. Face g covers the numbers origin + g*step .. + length - 1.
-FaceRange facesIn(const Window& window, const PointLayout& target, const CirculantBatch& batch, FaceRange range) {
+// The items of `range` that have values in the window. Item g covers the numbers origin + g*step .. + length - 1.
+ItemRange itemsIn(const Window& window, const PointLayout& target, const ItemBatch& batch, ItemRange range) {
   const auto origin = static_cast<std::int64_t>(StagePlanner::number(target, batch.firstOutput));
-  const std::int64_t step = std::int64_t{batch.sides} * target.desc.stride;
-  const std::int64_t length = std::int64_t{batch.sides - 1} * target.desc.stride + target.desc.length;
+  const std::int64_t step = batch.outputs * target.desc.stride;
+  const std::int64_t length = (batch.outputs - 1) * target.desc.stride + target.desc.length;
   const std::int64_t begin = static_cast<std::int64_t>(window.begin) - origin - length;
   const std::int64_t end = static_cast<std::int64_t>(window.begin + window.size) - origin;
   const std::int64_t first = begin < 0 ? 0 : begin / step + 1;
@@ -40,8 +52,8 @@ class LevelPlanner {
   Result<std::vector<Dispatch>> plan();
 
  private:
-  Result<void> planCirculant(const CirculantBatch& batch);
-  Result<void> planFaces(const CirculantBatch& batch, FaceRange range);
+  Result<void> planBatch(const ItemBatch& batch);
+  Result<void> planItems(const ItemBatch& batch, ItemRange range);
   Result<void> planLoose();
   Result<void> planRows(std::int64_t begin, std::int64_t end);
   std::int64_t endOfRows(std::int64_t begin) const;
@@ -53,45 +65,50 @@ class LevelPlanner {
 };
 
 Result<std::vector<Dispatch>> LevelPlanner::plan() {
-  for (const CirculantBatch& batch : table_.circulants) {
-    if (const auto planned = planCirculant(batch); !planned) return tl::unexpected(planned.error());
+  for (const Far::CirculantBatch& b : table_.circulants) {
+    const auto planned =
+        planBatch({Kernel::circulant, b.faceCount, b.firstIndex, b.sides, b.firstOutput, b.sides, b.firstForm});
+    if (!planned) return tl::unexpected(planned.error());
+  }
+  for (const Far::DenseRows& b : table_.dense) {
+    const auto planned = planBatch({Kernel::dense, b.rowCount, b.firstIndex, b.width, b.firstOutput, 1, b.firstWeight});
+    if (!planned) return tl::unexpected(planned.error());
   }
   if (const auto planned = planLoose(); !planned) return tl::unexpected(planned.error());
   return std::move(dispatches_);
 }
 
-Result<void> LevelPlanner::planCirculant(const CirculantBatch& batch) {
-  const std::int64_t faces = std::max<std::int64_t>(1, stage_.sliceCapacity(sections_.indices) / batch.sides);
-  for (std::int64_t begin = 0; begin < batch.faceCount; begin += faces) {
-    const FaceRange range{begin, std::min<std::int64_t>(begin + faces, batch.faceCount)};
-    if (auto planned = planFaces(batch, range); !planned) return planned;
+Result<void> LevelPlanner::planBatch(const ItemBatch& batch) {
+  const std::int64_t items = std::max<std::int64_t>(1, stage_.sliceCapacity(sections_.indices) / batch.indices);
+  for (std::int64_t begin = 0; begin < batch.count; begin += items) {
+    const ItemRange range{begin, std::min<std::int64_t>(begin + items, batch.count)};
+    if (auto planned = planItems(batch, range); !planned) return planned;
   }
   return {};
 }
 
-Result<void> LevelPlanner::planFaces(const CirculantBatch& batch, FaceRange range) {
-  const std::int64_t sides = batch.sides;
-  const auto indices =
-      stage_.slice(sections_.indices, batch.firstIndex + range.begin * sides, (range.end - range.begin) * sides);
+Result<void> LevelPlanner::planItems(const ItemBatch& batch, ItemRange range) {
+  const auto indices = stage_.slice(sections_.indices, batch.firstIndex + range.begin * batch.indices,
+                                    (range.end - range.begin) * batch.indices);
   if (!indices) return tl::unexpected(indices.error());
-  const auto weights = stage_.slice(sections_.weights, batch.firstForm, sides);
+  const auto weights = stage_.slice(sections_.weights, batch.firstWeight, batch.indices);
   if (!weights) return tl::unexpected(weights.error());
-  const auto windows = stage_.windows(stage_.target(), batch.firstOutput + range.begin * sides,
-                                      batch.firstOutput + range.end * sides - 1);
+  const auto windows = stage_.windows(stage_.target(), batch.firstOutput + range.begin * batch.outputs,
+                                      batch.firstOutput + range.end * batch.outputs - 1);
   for (const Window& window : windows) {
-    const FaceRange faces = windows.size() == 1 ? range : facesIn(window, stage_.target(), batch, range);
-    if (faces.begin >= faces.end) continue;
-    Dispatch dispatch = stage_.dispatch(Kernel::circulant);
-    dispatch.specialization.sides = static_cast<std::uint32_t>(sides);
-    dispatch.push.count = static_cast<std::uint32_t>(faces.end - faces.begin);
-    dispatch.push.firstIndex = indices->first + static_cast<std::uint32_t>((faces.begin - range.begin) * sides);
+    const ItemRange items = windows.size() == 1 ? range : itemsIn(window, stage_.target(), batch, range);
+    if (items.begin >= items.end) continue;
+    Dispatch dispatch = stage_.dispatch(batch.kernel);
+    dispatch.specialization.sides = static_cast<std::uint32_t>(batch.indices);
+    dispatch.push.count = static_cast<std::uint32_t>(items.end - items.begin);
+    dispatch.push.firstIndex = indices->first + static_cast<std::uint32_t>((items.begin - range.begin) * batch.indices);
     dispatch.push.firstWeight = weights->first;
-    dispatch.push.sides = static_cast<std::uint32_t>(sides);
-    if (sides <= kUnrolledSides)
-      std::copy_n(table_.weightsSingle.begin() + batch.firstForm, sides, dispatch.push.weights.begin());
-    dispatch.push.firstOutput = static_cast<std::uint32_t>(batch.firstOutput + faces.begin * sides);
+    dispatch.push.sides = static_cast<std::uint32_t>(batch.indices);
+    if (batch.indices <= kUnrolledSides)
+      std::copy_n(table_.weightsSingle.begin() + batch.firstWeight, batch.indices, dispatch.push.weights.begin());
+    dispatch.push.firstOutput = static_cast<std::uint32_t>(batch.firstOutput + items.begin * batch.outputs);
     rangeOf(dispatch, Slot::indices) = indices->range;
-    rangeOf(dispatch, Slot::weights) = weights->range;
+    if (batch.kernel == Kernel::circulant) rangeOf(dispatch, Slot::weights) = weights->range;
     stage_.bindTarget(dispatch, window);
     if (auto shaped = stage_.shape(dispatch, dispatch.push.count); !shaped) return shaped;
     dispatches_.push_back(dispatch);

@@ -156,7 +156,7 @@ Result<void> TableBuilder::addLimits(const Far::LimitTable& limits) {
   Steps child;
   std::vector<TableDispatch> last;
   if (!options.vertexLimits.empty()) {
-    const std::int64_t vertices = state_.refinedCount;
+    const std::int64_t vertices = limits.vertices.elementCount;
     auto here = appendFrames(first, limits.verticesHere, options.vertexLimits, vertices, PointBuffer::refined);
     if (!here) return here;
     if (!limits.vertices.batches.empty()) {

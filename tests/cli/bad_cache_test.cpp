@@ -68,6 +68,22 @@ TEST_F(BadCacheTest, NoCacheAndUnknownFormatsAreRefused) {
   EXPECT_REFUSED((std::vector<std::string>{"bake", in, path("out.mdd"), "--cache", cubeCache(1)}), HasSubstr(".pc2"));
 }
 
+TEST_F(BadCacheTest, CentralControlVerticesThatDontFitTheAnimationAreRefused) {
+  const auto with = [this](const std::string& central) {
+    return bake(cubeCache(2), {"--scheme", "zhang-wang", "--ccv", central});
+  };
+  EXPECT_REFUSED(with(file("six.obj", "v 0 0 0\n")), HasSubstr("six.obj: holds one pose"), HasSubstr(".pc2"),
+                 HasSubstr("--ccv-offset"));
+  EXPECT_REFUSED(with(cache("seven.pc2", 7, 2, std::vector<float>(42))), HasSubstr("seven.pc2: has 7 points"),
+                 HasSubstr("6 faces"));
+  EXPECT_REFUSED(with(cache("long.pc2", 6, 3, std::vector<float>(54))), HasSubstr("long.pc2: has 3 frames"),
+                 HasSubstr("has 2"));
+  std::vector<float> numbers(36, 0.5F);
+  numbers[20] = std::numeric_limits<float>::infinity();
+  EXPECT_REFUSED(with(cache("infinite.pc2", 6, 2, numbers)), HasSubstr("infinite.pc2"),
+                 HasSubstr("vertex 0 of frame 1"));
+}
+
 TEST_F(BadCacheTest, FrameRangesOutsideTheCacheAreRefused) {
   const std::string in = cubeCache(4);
   for (const std::string range : {"4:5", "2:2", "3:1", "0:5", "x", "1", "-1:2", "1:2:3"})

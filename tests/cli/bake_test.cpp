@@ -24,9 +24,11 @@ class BakeTest : public Workplace {
   }
   /// The positions that `honeycomb refine` gives for the OBJ with other positions.
   std::vector<float> refinedAlone(const std::string& obj, const std::vector<float>& positions,
-                                  const std::string& levels) const {
-    expectBaked(
-        {"refine", file("frame.obj", withPositions(obj, positions)), path("frame_out.obj"), "--levels", levels});
+                                  const std::string& levels, const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> arguments{"refine", file("frame.obj", withPositions(obj, positions)),
+                                       path("frame_out.obj"), "--levels", levels};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    expectBaked(arguments);
     const auto mesh = Io::readObj(path("frame_out.obj"));
     return {mesh->positions.begin(), mesh->positions.end()};
   }
@@ -53,6 +55,38 @@ TEST_F(BakeTest, BorderedMeshesBakeAlike) {
   const std::string obj = gridObj(6);
   expectBaked({"bake", file("grid.obj", obj), path("out.pc2"), "--cache", cacheOf(obj, 3, 49), "--levels", "3"});
   for (int f = 0; f < 3; ++f) EXPECT_TRUE(bakedFrame("out.pc2", f) == refinedAlone(obj, bentFrame(obj, f), "3"));
+}
+
+TEST_F(BakeTest, EverySchemesFramesEqualThatFrameRefinedAlone) {
+  const std::string obj = gridObj(4);
+  const std::string in = file("grid.obj", obj), frames = cacheOf(obj, 2, 25);
+  const std::vector<std::vector<std::string>> schemes{{"--scheme", "zhang-wang", "--ccv-offset", "0.2"},
+                                                      {"--scheme", "half-box"},
+                                                      {"--scheme", "zhang-wang:1,half-box:1"}};
+  for (const auto& scheme : schemes) {
+    std::vector<std::string> arguments{"bake", in, path("out.pc2"), "--cache", frames, "--mesh", path("mesh.obj")};
+    arguments.insert(arguments.end(), scheme.begin(), scheme.end());
+    expectBaked(arguments);
+    for (int f = 1; f >= 0; --f)
+      EXPECT_TRUE(bakedFrame("out.pc2", f) == refinedAlone(obj, bentFrame(obj, f), "2", scheme)) << scheme[1] << f;
+    EXPECT_EQ(read("mesh.obj"), read("frame_out.obj")) << scheme[1];
+  }
+}
+
+TEST_F(BakeTest, CentralControlVerticesMoveWithACacheOfTheirOwn) {
+  // Points of the mesh double as central control vertices: six of the cube's eight, in other places each frame.
+  const std::vector<float> first = bentFrame(cubeObj(), 1), second = bentFrame(cubeObj(), 3);
+  std::vector<float> numbers(first.begin(), first.begin() + 18);
+  numbers.insert(numbers.end(), second.begin(), second.begin() + 18);
+  const std::string in = file("cube.obj", cubeObj()), frames = cacheOf(cubeObj(), 2, 8);
+  expectBaked({"bake", in, path("out.pc2"), "--cache", frames, "--scheme", "zhang-wang", "--ccv",
+               cache("ccv.pc2", 6, 2, numbers)});
+  for (int f = 0; f < 2; ++f) {
+    const std::vector<float> centres(numbers.begin() + 18 * f, numbers.begin() + 18 * (f + 1));
+    const std::string central = file("centres.obj", withPositions("f ", centres));
+    EXPECT_TRUE(bakedFrame("out.pc2", f) ==
+                refinedAlone(cubeObj(), bentFrame(cubeObj(), f), "2", {"--scheme", "zhang-wang", "--ccv", central}));
+  }
 }
 
 TEST_F(BakeTest, HeaderKeepsTheTimesOfTheFramesBaked) {

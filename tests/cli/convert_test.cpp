@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "far/topology/conversions.h"
+#include "far/conversions/conversions.h"
 #include "io/obj.h"
 #include "workplace.h"
 
@@ -12,8 +12,15 @@ using testing::HasSubstr;
 
 class ConvertTest : public Workplace {
  protected:
-  Io::ObjMesh convert(const std::string& in, const std::string& to) const {
-    const Outcome outcome = run({"convert", in, path("out.obj"), "--to", to});
+  std::vector<std::string> arguments(const std::string& in, const std::string& to,
+                                     const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> all{"convert", in, path("out.obj"), "--to", to};
+    all.insert(all.end(), options.begin(), options.end());
+    return all;
+  }
+  Io::ObjMesh convert(const std::string& in, const std::string& to,
+                      const std::vector<std::string>& options = {}) const {
+    const Outcome outcome = run(arguments(in, to, options));
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     return *Io::readObj(path("out.obj"));
@@ -79,7 +86,7 @@ TEST_F(ConvertTest, ValenceTwoVertexHasNoDualFace) {
   // Two hexagons back to back: every vertex lies between two faces only.
   const std::string pillow = "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 2 0\nv -1 1 0\nf 1 2 3 4 5 6\nf 6 5 4 3 2 1\n";
   EXPECT_REFUSED((std::vector<std::string>{"convert", file("pillow.obj", pillow), path("out.obj"), "--to", "dual"}),
-                 HasSubstr("pillow.obj:1: vertex 0 (counted from 0) has 2 faces"));
+                 HasSubstr("pillow.obj:1: vertex 1 has 2 faces"));
 }
 
 TEST_F(ConvertTest, AllBoundaryMeshHasNoDual) {
@@ -88,11 +95,97 @@ TEST_F(ConvertTest, AllBoundaryMeshHasNoDual) {
 }
 
 TEST_F(ConvertTest, UnknownTargetIsRefusedWithAList) {
-  EXPECT_REFUSED((std::vector<std::string>{"convert", file("cube.obj", cubeObj()), path("out.obj"), "--to", "bricks"}),
-                 HasSubstr("dual, triangles"));
+  EXPECT_REFUSED(arguments(file("cube.obj", cubeObj()), "bicks"),
+                 HasSubstr("dual, truncate, triangles, quads, hexagonal, inverse-dual, bricks"));
 }
 
-TEST_F(ConvertTest, MeansCarryAnyPrimvar) {
+TEST_F(ConvertTest, TruncateCutsCornersAtTheRatio) {
+  const std::string cube = file("cube.obj", cubeObj());
+  const Io::ObjMesh third = convert(cube, "truncate");
+  EXPECT_EQ(third.polygons.vertexCount, 24);
+  EXPECT_EQ(std::ranges::count(sides(third), 8), 6);
+  EXPECT_EQ(std::ranges::count(sides(third), 3), 8);
+  EXPECT_THAT(third.positions, testing::Contains(testing::DoubleNear(1.0 / 3, 1e-15)));
+  const Io::ObjMesh quarter = convert(cube, "truncate", {"--ratio", "0.25"});
+  EXPECT_THAT(quarter.positions, testing::Each(testing::AnyOf(0, 0.25, 0.75, 1)));
+}
+
+TEST_F(ConvertTest, QuadsCutFacesOfEvenSides) {
+  const Io::ObjMesh quads = convert(file("cube.obj", cubeObj()), "quads");
+  EXPECT_EQ(quads.polygons.vertexCount, 14);
+  EXPECT_EQ(sides(quads), std::vector<std::int64_t>(12, 4));
+}
+
+TEST_F(ConvertTest, HexagonalMeshesHaveThreeEdgesAVertex) {
+  const Io::ObjMesh torus = convert(file("torus.obj", torusObj(6)), "hexagonal");
+  EXPECT_EQ(torus.polygons.vertexCount, 144);
+  EXPECT_EQ(torus.polygons.indices.size(), 3U * 144U);
+}
+
+TEST_F(ConvertTest, InverseDualHasTheVerticesAsCentroids) {
+  // Cut from its centres, the cube has colours that balance.
+  convert(file("cube.obj", cubeObj()), "triangles");
+  const Io::ObjMesh triangles = *Io::readObj(path("out.obj"));
+  const Io::ObjMesh inverse = convert(file("triangles.obj", read("out.obj")), "inverse-dual");
+  ASSERT_EQ(inverse.polygons.faceCount(), 14);
+  for (std::size_t f = 0; f < 14; ++f) {
+    const auto begin = static_cast<std::size_t>(inverse.polygons.faceOffsets[f]);
+    const auto end = static_cast<std::size_t>(inverse.polygons.faceOffsets[f + 1]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      double sum = 0;
+      for (std::size_t i = begin; i < end; ++i) sum += inverse.position(inverse.polygons.indices[i])[k];
+      EXPECT_NEAR(sum / static_cast<double>(end - begin), triangles.positions[3 * f + k], 1e-9);
+    }
+  }
+}
+
+TEST_F(ConvertTest, InverseDualSaysWhenThereIsNone) {
+  const std::string octahedron =
+      "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1.5\nv 0 0 -1\n"
+      "f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n";
+  EXPECT_REFUSED(arguments(file("octahedron.obj", octahedron), "inverse-dual"), HasSubstr("octahedron.obj"),
+                 HasSubstr("there is no inverse dual"));
+  EXPECT_REFUSED(arguments(file("cube.obj", cubeObj()), "inverse-dual"), HasSubstr("cube.obj:9: face 1"),
+                 HasSubstr("4 sides"));
+  EXPECT_REFUSED(arguments(file("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "inverse-dual"),
+                 HasSubstr("open.obj:1: vertex 1"), HasSubstr("boundary"));
+}
+
+TEST_F(ConvertTest, BricksLayTheSidesOfAPrism) {
+  const std::string cube = file("cube.obj", cubeObj());
+  EXPECT_EQ(convert(cube, "bricks").polygons.faceCount(), 2 + 4 * 4);
+  EXPECT_EQ(convert(cube, "bricks", {"--rows", "7"}).polygons.faceCount(), 2 + 7 * 4);
+  EXPECT_REFUSED(arguments(file("grid.obj", gridObj(3)), "bricks"), HasSubstr("grid.obj: "), HasSubstr("closed ring"));
+}
+
+TEST_F(ConvertTest, OptionsOutOfRangeAreRefused) {
+  const std::string cube = file("cube.obj", cubeObj());
+  for (const std::string ratio : {"0", "0.5", "-1", "nan"})
+    EXPECT_REFUSED(arguments(cube, "truncate", {"--ratio", ratio}), HasSubstr("--ratio"),
+                   HasSubstr("between 0 and 0.5"));
+  for (const std::string rows : {"0", "-3", "1001"})
+    EXPECT_REFUSED(arguments(cube, "bricks", {"--rows", rows}), HasSubstr("--rows " + rows),
+                   HasSubstr("between 1 and 1000"));
+}
+
+TEST_F(ConvertTest, OptionsOfOtherTargetsAreRefused) {
+  const std::string cube = file("cube.obj", cubeObj());
+  EXPECT_REFUSED(arguments(cube, "dual", {"--ratio", "0.25"}), HasSubstr("--ratio 0.25: --to dual has no ratio"));
+  EXPECT_REFUSED(arguments(cube, "truncate", {"--rows", "3"}), HasSubstr("--rows 3: --to truncate has no rows"));
+}
+
+TEST_F(ConvertTest, JsonSummaryHasItsFields) {
+  const Outcome outcome = run(arguments(file("cube.obj", cubeObj()), "bricks", {"--rows", "3", "--json"}));
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("to"), "bricks");
+  EXPECT_EQ(json.at("vertices"), 24);
+  EXPECT_EQ(json.at("faces"), 14);
+  EXPECT_EQ(json.at("dropped_vertices"), 0);
+  EXPECT_EQ(json.at("output"), path("out.obj"));
+}
+
+TEST_F(ConvertTest, RowsCarryAnyPrimvar) {
   Far::Polygons square;
   square.vertexCount = 4;
   square.addFace({0, 1, 2, 3});
@@ -101,7 +194,7 @@ TEST_F(ConvertTest, MeansCarryAnyPrimvar) {
   const auto triangles = Far::triangulate(*topology);
   ASSERT_TRUE(triangles);
   const std::vector<double> uv{0, 0, 1, 0, 1, 1, 0, 1};
-  EXPECT_THAT(Far::means(*triangles, uv, 2), testing::ElementsAre(0, 0, 1, 0, 1, 1, 0, 1, 0.5, 0.5));
+  EXPECT_THAT(*Far::apply(*triangles, uv, 2), testing::ElementsAre(0, 0, 1, 0, 1, 1, 0, 1, 0.5, 0.5));
 }
 
 }  // namespace

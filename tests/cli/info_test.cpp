@@ -63,6 +63,20 @@ TEST_F(InfoTest, PredictionsEqualWhatIsBuilt) {
   }
 }
 
+TEST_F(InfoTest, PredictionsOfEverySchemeEqualWhatIsBuilt) {
+  const std::string in = file("torus.obj", torusObj(16));
+  for (const std::string scheme :
+       {"zhang-wang", "half-box", "midpoint", "trisect", "doo-sabin", "trisect:1,half-box:2"}) {
+    const json predicted = info({in, "--scheme", scheme, "--levels", "3"}).at("levels").back();
+    const json built =
+        json::parse(run({"refine", in, path("out.obj"), "--scheme", scheme, "--levels", "3", "--json"}).out);
+    for (const char* count : {"vertices", "edges", "faces"}) EXPECT_EQ(predicted.at(count), built.at(count)) << scheme;
+    EXPECT_EQ(predicted.at("level"), built.at("levels"));
+    EXPECT_EQ(predicted.at("step"), built.at("steps").back());
+    EXPECT_GE(predicted.at("run_bytes"), built.at("table_bytes")) << scheme;
+  }
+}
+
 TEST_F(InfoTest, TextHasTheCountsAndOneRowALevel) {
   const Outcome outcome = run({"info", file("torus.obj", torusObj(40)), "--levels", "3"});
   EXPECT_EQ(outcome.exitCode, 0);

@@ -9,15 +9,19 @@ target_compile_definitions(cli_test_support PRIVATE HONEYCOMB_PROGRAM="$<TARGET_
 
 # The built program, run on real files.
 honeycomb_test(cli_test
+  SHARDS 4
   SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/bad_cache_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bad_mesh_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bad_option_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bad_output_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/bad_scheme_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/console_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/convert_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/info_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/primvars_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/refine_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/scheme_test.cpp
   LIBRARIES honeycomb::cli cli_test_support nlohmann_json::nlohmann_json)
 add_dependencies(cli_test honeycomb)
 

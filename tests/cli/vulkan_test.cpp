@@ -56,6 +56,26 @@ TEST_F(VulkanBackendTest, FilesAreTheSameAsTheCpus) {
   }
 }
 
+TEST_F(VulkanBackendTest, EverySchemesFilesAreTheSameAsTheCpus) {
+  if (!hasDevice()) GTEST_SKIP() << "no Vulkan device";
+  const std::string in = file("grid.obj", gridObj(4));
+  const std::vector<std::vector<std::string>> schemes{
+      {"--scheme", "zhang-wang", "--ccv-offset", "0.3", "--normals", "exact"},
+      {"--scheme", "half-box", "--normals", "exact"},
+      {"--scheme", "half-box", "--levels", "0", "--tessellate", "2", "--normals", "exact"},
+      {"--scheme", "midpoint:1,trisect:1,zhang-wang:1,centroid:1,doo-sabin:1"}};
+  for (const auto& scheme : schemes) {
+    for (const std::string backend : {"serial", "vulkan"}) {
+      std::vector<std::string> arguments{"refine", in, path(backend + ".obj"), "--backend", backend};
+      arguments.insert(arguments.end(), scheme.begin(), scheme.end());
+      const Outcome outcome = run(arguments);
+      EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+      EXPECT_EQ(outcome.err, "");
+    }
+    EXPECT_TRUE(read("serial.obj") == read("vulkan.obj")) << scheme[1];
+  }
+}
+
 TEST_F(VulkanBackendTest, BakesAreTheSameAsTheCpus) {
   if (!hasDevice()) GTEST_SKIP() << "no Vulkan device";
   const std::string in = file("torus.obj", torusObj(12)), cacheFile = frames(torusObj(12), 144);

@@ -44,7 +44,7 @@ TEST(Bounds, ManyPointsInPieces) {
 
 TEST(Bounds, ControlBoxHoldsEveryLevelWhereWeightsAreConvex) {
   std::int32_t convex = 0;
-  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+  for (std::uint64_t seed = 0; seed < meshes(50); ++seed) {
     const RandomMesh random = randomMesh(seed);
     const Far::Refinement refinement = refined(random, schemeCase(NamedTension::paper).scheme, 3);
     if (!Far::isConvex(refinement)) continue;

@@ -9,7 +9,7 @@
 namespace honeycomb::Test {
 namespace {
 
-constexpr std::uint64_t kMeshes = 200;
+constexpr std::uint64_t kMeshes = meshes(200);
 
 const std::vector<std::string>& closedShapes() {
   static const std::vector<std::string> shapes = {"tetrahedron", "cube", "dodecahedron", "hexprism", "torus", "mixed"};

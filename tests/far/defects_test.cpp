@@ -48,7 +48,7 @@ Far::Defect onlyDefect(const Far::Polygons& mesh, DefectKind kind) {
 }
 
 TEST(Defects, NoneInSoundMeshes) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (std::uint64_t seed = 0; seed < meshes(200); ++seed) {
     const RandomMesh random = randomMesh(seed);
     const auto defects = Far::findDefects(toPolygons(random.mesh, random.cornerTags));
     EXPECT_TRUE(defects.empty()) << "seed " << seed << ": " << listed(defects);
@@ -123,6 +123,14 @@ TEST(Defects, CornerTagInsideTheMesh) {
   EXPECT_EQ(onlyDefect(mesh, DefectKind::cornerNotOnBoundary).vertex, 4);
 }
 
+TEST(Defects, CornerTagsMayLieOnCreases) {
+  Far::Polygons mesh = toPolygons(grid(2, 2), {4});
+  mesh.creases = {{4, 5, 2}};
+  EXPECT_TRUE(Far::findDefects(mesh).empty());
+  mesh.creases = {{4, 5, 0}};
+  EXPECT_EQ(onlyDefect(mesh, DefectKind::cornerNotOnBoundary).vertex, 4);
+}
+
 TEST(Defects, CornerTagOutOfRangeIsRefused) {
   for (const std::int32_t tag : {9, -1}) {
     Far::Polygons mesh = toPolygons(grid(2, 2));
@@ -158,7 +166,7 @@ TEST(Defects, AreAllListedAndCounted) {
 }
 
 TEST(Defects, EveryKindHasARemedy) {
-  for (int kind = 0; kind <= static_cast<int>(DefectKind::cornerNotOnBoundary); ++kind) {
+  for (int kind = 0; kind <= static_cast<int>(DefectKind::creaseWithoutEdge); ++kind) {
     EXPECT_FALSE(Far::remedy(static_cast<DefectKind>(kind)).empty()) << kind;
   }
 }
@@ -166,7 +174,7 @@ TEST(Defects, EveryKindHasARemedy) {
 /// Random damage: whatever the tests' own checker refuses must be refused, and the other way round.
 TEST(Defects, AgreeWithTheTestsOwnCheckerOnDamagedMeshes) {
   int refused = 0;
-  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+  for (std::uint64_t seed = 0; seed < meshes(400); ++seed) {
     RandomMesh random = randomMesh(seed);
     Random choice(seed);
     Loop& loop = random.mesh.faces[choice.below(random.mesh.faces.size())];

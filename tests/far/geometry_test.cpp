@@ -34,7 +34,7 @@ void forFaceFaces(const Far::Refinement& refinement, const std::vector<Vec3>& co
 }
 
 TEST(Geometry, FaceFacesKeepTheCentroid) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (std::uint64_t seed = 0; seed < meshes(200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const RandomMesh random = randomMesh(seed);
     std::size_t compared = 0;
@@ -48,7 +48,7 @@ TEST(Geometry, FaceFacesKeepTheCentroid) {
 }
 
 TEST(Geometry, FaceFacesKeepTheNormal) {
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (std::uint64_t seed = 0; seed < meshes(200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const RandomMesh random = randomMesh(seed);
     forFaceFaces(refined(random, schemeCase(NamedTension::sqrt3).scheme, 2), random.mesh.points,

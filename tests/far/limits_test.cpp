@@ -105,7 +105,7 @@ TEST(Limits, AreWhereTheOpenMeshConverges) {
 
 TEST(Limits, OfFacesStayUnderRefinement) {
   // A face's limit is that of its face-face, whatever the boundary did to it.
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+  for (std::uint64_t seed = 0; seed < meshes(100); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const RandomMesh random = randomMesh(seed);
     const Far::Scheme scheme = schemeCase(NamedTension::paper).scheme;
@@ -128,7 +128,7 @@ TEST(Limits, OfFacesStayUnderRefinement) {
 TEST(Limits, OfVerticesAreThoseOfTheFacesTheyBecome) {
   for (const auto boundary : {ReferenceBoundary::brick, ReferenceBoundary::eq16}) {
     const SchemeCase scheme = schemeCase(NamedTension::paper, boundary);
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    for (std::uint64_t seed = 0; seed < meshes(60); ++seed) {
       SCOPED_TRACE(scheme.name + ", seed " + std::to_string(seed));
       const RandomMesh random = randomMesh(seed);
       const Far::Refinement coarse = refined(random, scheme.scheme, 1, true);
@@ -170,7 +170,7 @@ std::vector<Vec3> closedFormLimits(const PolyMesh& mesh, double tension, double 
 TEST(Limits, OfVerticesFollowTheClosedForm) {
   for (const double t : {0.5, 0.2}) {
     const SchemeCase scheme = schemeCase(0.6, ReferenceBoundary::brick, t);
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    for (std::uint64_t seed = 0; seed < meshes(60); ++seed) {
       const RandomMesh random = randomMesh(seed, Border::closed);
       const Far::Refinement refinement = refined(random, scheme.scheme, 1, true);
       const PolyMesh mesh = levelMesh(refinement, 1, random.mesh.points);
@@ -195,7 +195,7 @@ std::pair<std::int32_t, std::int32_t> boundaryNeighbours(const Far::Topology& t,
 
 TEST(Limits, OfBrickMidPointsLieOnTheBoundaryCurve) {
   // Two steps take a mid-point m to (m_- + 10 m + m_+)/12; its limit is (m_- + 8 m + m_+)/10, tangent m_+ - m_-.
-  for (std::uint64_t seed = 1; seed < 120; seed += 2) {
+  for (std::uint64_t seed = 1; seed < meshes(120); seed += 2) {
     const RandomMesh random = randomMesh(seed);
     for (const std::int32_t level : {1, 3}) {
       const Far::Refinement refinement = refined(random.mesh, schemeCase(NamedTension::paper).scheme, level, {}, true);
@@ -219,7 +219,7 @@ TEST(Limits, OfBrickMidPointsLieOnTheBoundaryCurve) {
 
 TEST(Limits, OfFixedCornersAreTheCornersThemselves) {
   int found = 0;
-  for (std::uint64_t seed = 1; seed < 120; seed += 2) {
+  for (std::uint64_t seed = 1; seed < meshes(120); seed += 2) {
     const RandomMesh random = randomMesh(seed);
     const Far::Refinement refinement = refined(random, schemeCase(NamedTension::paper).scheme, 2, true);
     const auto points = levelPoints<double>(refinement, 2, random.mesh.points);

@@ -8,7 +8,7 @@
 namespace honeycomb::Test {
 namespace {
 
-constexpr std::uint64_t kMeshes = 200;
+constexpr std::uint64_t kMeshes = meshes(200);
 
 /// Both implementations, level by level.
 void compareWithReference(const PolyMesh& mesh, const std::vector<std::size_t>& tags, const SchemeCase& scheme,

@@ -10,7 +10,7 @@
 namespace honeycomb::Test {
 namespace {
 
-constexpr std::uint64_t kMeshes = 200;
+constexpr std::uint64_t kMeshes = meshes(200);
 
 /// Calls check(refinement, random mesh) for random meshes under every boundary rule, two levels each.
 template <class Check>

@@ -10,7 +10,7 @@
 namespace honeycomb::Test {
 namespace {
 
-constexpr std::uint64_t kMeshes = 100;
+constexpr std::uint64_t kMeshes = meshes(100);
 
 using Edge = std::pair<std::int32_t, std::int32_t>;
 

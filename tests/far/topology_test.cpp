@@ -11,7 +11,7 @@
 namespace honeycomb::Test {
 namespace {
 
-constexpr std::uint64_t kMeshes = 200;
+constexpr std::uint64_t kMeshes = meshes(200);
 
 void checkHalfEdges(const Far::Topology& t) {
   for (std::int32_t h = 0; h < t.halfEdgeCount(); ++h) {

@@ -79,9 +79,10 @@ TEST(ObjErrors, NanAndInfinityNameTheVertex) {
   EXPECT_EQ(error.element, 1);
 }
 
-TEST(ObjErrors, NanInTextureCoordinateOrNormal) {
+TEST(ObjErrors, NanInTextureCoordinateColourOrNormal) {
   EXPECT_EQ(message("vt nan 0\n"),
             "mesh.obj:1: a texture coordinate is not finite; give it finite numbers or remove it");
+  EXPECT_EQ(message("v 0 0 0 0 nan 0\n"), "mesh.obj:1: a colour is not finite; give it finite numbers or remove it");
   EXPECT_EQ(message("vn 0 0 inf\n"), "mesh.obj:1: a normal is not finite; give it finite numbers or remove it");
 }
 

@@ -29,9 +29,16 @@ TEST(ObjReader, ReadsNumbersInEveryNotation) {
   EXPECT_TRUE(std::signbit(mesh.positions[8]));
 }
 
-TEST(ObjReader, PassesOverWeightAndColourOfVertices) {
-  const ObjMesh mesh = parsed("v 1 2 3 1\nv 4 5 6 .1 .2 .3\nv 7 8 9 1 .1 .2 .3\nf 1 2 3\n");
+TEST(ObjReader, PassesOverWeightOfVertices) {
+  const ObjMesh mesh = parsed("v 1 2 3 1\nv 4 5 6 .5\nv 7 8 9\nf 1 2 3\n");
   EXPECT_EQ(mesh.positions, (Numbers{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_TRUE(mesh.colours.empty());
+}
+
+TEST(ObjReader, ReadsColoursOfVerticesAndWhiteWhereThereIsNone) {
+  const ObjMesh mesh = parsed("v 1 2 3 1\nv 4 5 6 .1 .2 .3\nv 7 8 9 1 .4 .5 .6\nv 0 0 0\nf 1 2 3\n");
+  EXPECT_EQ(mesh.positions, (Numbers{1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 0, 0}));
+  EXPECT_EQ(mesh.colours, (Numbers{1, 1, 1, .1, .2, .3, .4, .5, .6, 1, 1, 1}));
 }
 
 TEST(ObjReader, ReadsTextureCoordinatesAndNormals) {

@@ -30,6 +30,23 @@ TYPED_TEST(ObjRoundTrip, CoordinatesComeBackToTheSameBits) {
   EXPECT_EQ(mesh->cornerNormals, corners);
 }
 
+TYPED_TEST(ObjRoundTrip, ColoursAndTextureCoordinatesComeBackToTheSameBits) {
+  const TemporaryFolder folder;
+  const std::vector<TypeParam> numbers = randomReals<TypeParam>(3000);
+  const std::vector<std::int32_t> offsets{0, 3};
+  const std::vector<std::int32_t> corners{2, 1, 0};
+  const std::vector<std::int32_t> cornerTexcoords{1499, 7, -1};
+  const Result<void> written =
+      writeObj<TypeParam>(folder / "a.obj", {numbers, {}, offsets, corners, numbers, numbers, cornerTexcoords});
+  ASSERT_TRUE(written) << written.error().message;
+  const Result<ObjMesh> mesh = readObj(folder / "a.obj");
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  EXPECT_EQ(bitsOf<TypeParam>(mesh->positions), bitsOf<TypeParam>(numbers));
+  EXPECT_EQ(bitsOf<TypeParam>(mesh->colours), bitsOf<TypeParam>(numbers));
+  EXPECT_EQ(bitsOf<TypeParam>(mesh->texcoords), bitsOf<TypeParam>(numbers));
+  EXPECT_EQ(mesh->cornerTexcoords, cornerTexcoords);
+}
+
 TYPED_TEST(ObjRoundTrip, PolygonsComeBackInOrder) {
   const TemporaryFolder folder;
   constexpr std::int32_t kSides = 70000;

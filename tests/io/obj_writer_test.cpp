@@ -44,6 +44,29 @@ TEST(ObjWriter, GivesEveryVertexItsNormal) {
   EXPECT_EQ(text.substr(text.find("vn")), "vn 0 0 1\nvn 0 1 0\nvn 1 0 0\nf 1//1 2//2 3//3\n");
 }
 
+TEST(ObjWriter, WritesColoursBehindPositions) {
+  const TemporaryFolder folder;
+  const std::vector<float> colours{1, 0, 0, 0, 0.5, 0, 0, 0, 0.1F};
+  ASSERT_TRUE(writeObj<float>(folder / "a.obj", {kPositions, {}, kOffsets, kCorners, colours}));
+  EXPECT_EQ(readBytes(folder / "a.obj"),
+            "v 0 0.100000001 -0 1 0 0\nv 1e+10 1 0 0 0.5 0\nv 0 1 1.00000001e-10 0 0 0.100000001\nf 1 2 3\n");
+}
+
+TEST(ObjWriter, CornersNameTextureCoordinatesAndNormals) {
+  const TemporaryFolder folder;
+  const std::vector<float> normals(9, 1);
+  const std::vector<float> texcoords{0, 0.5, 1, 0.25};
+  const std::vector<std::int32_t> corners{1, -1, 0};
+  ObjContent<float> content{kPositions, {}, kOffsets, kCorners, {}, texcoords, corners};
+  ASSERT_TRUE(writeObj<float>(folder / "a.obj", content));
+  std::string text = readBytes(folder / "a.obj");
+  EXPECT_EQ(text.substr(text.find("vt")), "vt 0 0.5\nvt 1 0.25\nf 1/2 2 3/1\n");
+  content.normals = normals;
+  ASSERT_TRUE(writeObj<float>(folder / "a.obj", content));
+  text = readBytes(folder / "a.obj");
+  EXPECT_EQ(text.substr(text.find('f')), "f 1/2/1 2//2 3/1/3\n");
+}
+
 TEST(ObjWriter, RefusesNanAndInfinityBeforeWriting) {
   std::vector<float> positions = kPositions;
   positions[4] = NAN;
@@ -56,6 +79,11 @@ TEST(ObjWriter, RefusesNanAndInfinityBeforeWriting) {
   std::vector<float> normals(9, 1.0F);
   normals[8] = INFINITY;
   EXPECT_EQ(refusal({kPositions, normals, kOffsets, kCorners}).element, 2);
+  EXPECT_EQ(refusal({kPositions, {}, kOffsets, kCorners, normals}).element, 2);
+  const std::vector<float> texcoords{0, 0, 0, NAN};
+  EXPECT_EQ(refusal({kPositions, {}, kOffsets, kCorners, {}, texcoords, kCorners}).code, ErrorCode::invalidMesh);
+  const std::vector<std::int32_t> named{0, 0, 1};
+  EXPECT_EQ(refusal({kPositions, {}, kOffsets, kCorners, {}, texcoords, named}).element, 1);
 }
 
 TEST(ObjWriter, RefusesCornersWithoutVertex) {
@@ -64,6 +92,9 @@ TEST(ObjWriter, RefusesCornersWithoutVertex) {
   EXPECT_EQ(error.code, ErrorCode::invalidMesh);
   EXPECT_EQ(error.message, "face 0 names vertex 3 of 3; correct the index");
   EXPECT_EQ(error.element, 0);
+  const std::vector<float> texcoords{0, 0, 1, 1};
+  EXPECT_EQ(refusal({kPositions, {}, kOffsets, kCorners, {}, texcoords, kCorners}).message,
+            "face 0 names texture coordinate 2 of 2; correct the index");
 }
 
 TEST(ObjWriter, RefusesArraysThatDoNotFitTogether) {
@@ -73,6 +104,8 @@ TEST(ObjWriter, RefusesArraysThatDoNotFitTogether) {
   EXPECT_EQ(refusal({std::span(kPositions).first(8), {}, kOffsets, kCorners}).code, ErrorCode::invalidOption);
   EXPECT_EQ(refusal({kPositions, normals, kOffsets, kCorners}).code, ErrorCode::invalidOption);
   EXPECT_EQ(refusal({kPositions, {}, {}, kCorners}).code, ErrorCode::invalidOption);
+  EXPECT_EQ(refusal({kPositions, {}, kOffsets, kCorners, normals}).code, ErrorCode::invalidOption);
+  EXPECT_EQ(refusal({kPositions, {}, kOffsets, kCorners, {}, normals, tooFew}).code, ErrorCode::invalidOption);
   EXPECT_EQ(refusal({kPositions, {}, descending, kCorners}).code, ErrorCode::invalidOption);
   EXPECT_EQ(refusal({kPositions, {}, tooFew, kCorners}).code, ErrorCode::invalidOption);
 }

@@ -3,8 +3,10 @@ honeycomb_test(io_tests
     io/mapped_file_test.cpp
     io/obj_corners_test.cpp
     io/obj_errors_test.cpp
+    io/obj_points_test.cpp
     io/obj_reader_test.cpp
     io/obj_round_trip_test.cpp
+    io/obj_tags_test.cpp
     io/obj_writer_test.cpp
     io/output_file_test.cpp
     io/pc2_writer_test.cpp

@@ -7,13 +7,14 @@
 #include "osd/cpu_evaluator.h"
 #include "tests/support/golden.h"
 #include "tests/support/refined.h"
+#include "tests/support/scheme_list.h"
 #include "tests/support/shapes.h"
 #include "tests/support/table_rows.h"
 
 namespace honeycomb::Test {
 namespace {
 
-constexpr std::uint64_t kMeshes = 100;
+constexpr std::uint64_t kMeshes = meshes(100);
 
 template <class Real>
 class Evaluators : public testing::Test {};
@@ -67,7 +68,7 @@ template <class Real>
 void compareEvaluators(const Far::Refinement& refinement, Random& random) {
   const std::int32_t last = refinement.levelCount();
   for (const std::int32_t length : {1, 2, 3, 4, 7}) {
-    Buffers<Real> serial(refinement.level(0).topology.vertexCount(), refinement.last().topology.vertexCount(),
+    Buffers<Real> serial(refinement.level(0).pointCount(), refinement.last().pointCount(),
                          randomDescriptor(random, length), randomDescriptor(random, length), random);
     Buffers<Real> threaded = serial;
     Osd::SerialEvaluator one;
@@ -88,6 +89,16 @@ TYPED_TEST(Evaluators, GiveTheSameBitsOnRandomMeshes) {
       Random random(seed);
       const std::int32_t levels = boundary == ReferenceBoundary::drop ? 1 : 3;
       ASSERT_NO_FATAL_FAILURE(compareEvaluators<TypeParam>(refined(mesh, scheme.scheme, levels), random));
+    }
+  }
+}
+
+TYPED_TEST(Evaluators, GiveTheSameBitsUnderEveryScheme) {
+  Random random(5);
+  for (const PolyMesh& mesh : {torus(30, 20), grid(25, 24)}) {
+    for (const ListedScheme& scheme : listedSchemes()) {
+      SCOPED_TRACE(scheme.name);
+      ASSERT_NO_FATAL_FAILURE(compareEvaluators<TypeParam>(refinedBy(scheme, toTopology(mesh), 2), random));
     }
   }
 }

@@ -3,6 +3,7 @@ honeycomb_test(osd_tests
   SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/buffer_errors_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/evaluators_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/row_tables_test.cpp
   LIBRARIES honeycomb::test_support honeycomb::far honeycomb::osd honeycomb::io)
 
 if(HONEYCOMB_SANITIZE STREQUAL "thread")

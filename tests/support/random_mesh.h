@@ -21,6 +21,15 @@ struct RandomMesh {
 /// Every component of an open mesh has a boundary; a closed mesh has none.
 RandomMesh randomMesh(std::uint64_t seed, Border border);
 
+/// How many random meshes a test takes that wants `count`: sanitizers slow it down several times, and get a quarter.
+constexpr std::uint64_t meshes(std::uint64_t count) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  return (count + 3) / 4;
+#else
+  return count;
+#endif
+}
+
 /// Seeds with an even index are closed meshes, odd ones open.
 inline Border borderOf(std::uint64_t seed) {
   return seed % 2 == 0 ? Border::closed : Border::open;

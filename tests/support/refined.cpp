@@ -122,7 +122,7 @@ std::vector<Vec3> unpack(const std::vector<Real>& numbers) {
 template <class Real>
 std::vector<Vec3> levelPoints(const Far::Refinement& refinement, std::int32_t level, const std::vector<Vec3>& control) {
   if (level == 0) return control;
-  std::vector<Real> out(3 * static_cast<std::size_t>(refinement.level(level).topology.vertexCount()));
+  std::vector<Real> out(3 * static_cast<std::size_t>(refinement.level(level).pointCount()));
   const std::vector<Real> in = pack<Real>(control);
   Osd::SerialEvaluator evaluator;
   must(evaluator.evaluate(refinement, level, readPoints(in), writePoints(out)));
@@ -130,6 +130,7 @@ std::vector<Vec3> levelPoints(const Far::Refinement& refinement, std::int32_t le
 }
 
 PolyMesh toMesh(const Far::Topology& topology, std::vector<Vec3> points) {
+  points.resize(static_cast<std::size_t>(topology.vertexCount()));  // without central control vertices
   PolyMesh mesh{std::move(points), {}};
   const auto offsets = topology.faceOffsets();
   for (std::int32_t f = 0; f < topology.faceCount(); ++f) {

@@ -42,7 +42,8 @@ std::vector<Real> pack(const std::vector<Vec3>& points);
 template <class Real>
 std::vector<Vec3> unpack(const std::vector<Real>& numbers);
 
-/// The points of a level, by the serial evaluator in `Real`.
+/// The points of a level (vertices, then central control vertices where it has them), by the serial evaluator in
+/// `Real`.
 template <class Real>
 std::vector<Vec3> levelPoints(const Far::Refinement& refinement, std::int32_t level, const std::vector<Vec3>& control);
 

@@ -1,5 +1,6 @@
 #include "tests/support/shapes.h"
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -135,6 +136,27 @@ PolyMesh fan(std::size_t n) {
   for (std::size_t i = 0; i <= n; ++i) {
     mesh.points.push_back(onCircle(static_cast<double>(i), 2 * static_cast<double>(n), 1, 0));
     if (i < n) mesh.faces.push_back({0, 1 + i, 2 + i});
+  }
+  return mesh;
+}
+
+PolyMesh honeycomb(std::size_t n) {
+  PolyMesh mesh;
+  std::map<std::pair<long, long>, std::size_t> known;  // corners by their places in units of (sqrt 3 / 2, 1 / 2)
+  const std::array<std::pair<long, long>, 6> around{{{1, 1}, {0, 2}, {-1, 1}, {-1, -1}, {0, -2}, {1, -1}}};
+  for (std::size_t row = 0; row < n; ++row) {
+    for (std::size_t column = 0; column < n; ++column) {
+      const auto x = static_cast<long>(2 * column + row), y = static_cast<long>(3 * row);
+      Loop loop;
+      for (const auto& [dx, dy] : around) {
+        const auto [place, isNew] = known.try_emplace({x + dx, y + dy}, mesh.points.size());
+        if (isNew) {
+          mesh.points.push_back({static_cast<double>(x + dx) * std::sqrt(0.75), static_cast<double>(y + dy) / 2, 0});
+        }
+        loop.push_back(place->second);
+      }
+      mesh.faces.push_back(std::move(loop));
+    }
   }
   return mesh;
 }

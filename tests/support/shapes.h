@@ -20,4 +20,7 @@ PolyMesh pillow(std::size_t n);
 /// A boundary vertex (0) with n triangles: a fan over an arc.
 PolyMesh fan(std::size_t n);
 
+/// n x n regular hexagons with sides of length 1, open.
+PolyMesh honeycomb(std::size_t n);
+
 }  // namespace honeycomb::Test

@@ -11,6 +11,7 @@ class Expansion {
   std::vector<StencilRow> run() {
     for (const Far::CirculantBatch& batch : table_.circulants) circulant(batch);
     for (const Far::ProjectedFace& face : table_.projected) projected(face);
+    for (const Far::DenseRows& batch : table_.dense) dense(batch);
     loose();
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       if (written_[r] != 1) rows_[r].clear();
@@ -51,6 +52,15 @@ class Expansion {
           w += weight(x + part * f.outputs + i) * weight(s + part * f.corners + j);
         }
         row[source(f.firstIndex + j)] += w;
+      }
+    }
+  }
+
+  void dense(const Far::DenseRows& b) {
+    for (std::int32_t g = 0; g < b.rowCount; ++g) {
+      StencilRow& row = open(b.firstOutput + g);
+      for (std::int32_t j = 0; j < b.width; ++j) {
+        row[source(b.firstIndex + g * b.width + j)] += weight(b.firstWeight + j);
       }
     }
   }

@@ -3,11 +3,15 @@
 
 #include "fixture.h"
 #include "osd/vulkan/session.h"
-#include "random_tables.h"
 #include "runs.h"
+#include "tests/support/random_tables.h"
 
 namespace honeycomb::VulkanTests {
 namespace {
+
+using Test::randomNumbers;
+using Test::randomTable;
+using Test::TableShape;
 
 class BatchesTest : public VulkanTest {
  protected:
@@ -51,19 +55,31 @@ TEST_F(BatchesTest, HalvesOfLargeFaces) {
   EXPECT_TRUE(agree({.halfProjected = {65, 1000, 100, 513}}));
 }
 
+TEST_F(BatchesTest, DenseRowsOfEveryWidth) {
+  for (const std::int32_t width : {1, 2, 3, 4, 7, 16}) {
+    EXPECT_TRUE(agree({.dense = {{width, 201}}})) << "width " << width;
+  }
+}
+
+TEST_F(BatchesTest, SeveralBatchesOfDenseRows) {
+  EXPECT_TRUE(agree({.dense = {{4, 65}, {2, 1}, {4, 3000}, {7, 64}}}));
+}
+
 TEST_F(BatchesTest, LooseRows) {
   EXPECT_TRUE(agree({.looseRows = 1234}));
 }
 
 TEST_F(BatchesTest, AllKindsTogetherInEveryLength) {
-  const TableShape shape{.circulants = {{4, 50}, {5, 33}, {6, 100}}, .projected = {65, 700}, .looseRows = 77};
+  const TableShape shape{
+      .circulants = {{4, 50}, {5, 33}, {6, 100}}, .projected = {65, 700}, .dense = {{2, 40}, {4, 70}}, .looseRows = 77};
   for (const std::int32_t length : {1, 2, 3, 4, 7}) {
     EXPECT_TRUE(agree(shape, {0, length, length}, {0, length, length})) << "length " << length;
   }
 }
 
 TEST_F(BatchesTest, OffsetsAndStrides) {
-  const TableShape shape{.circulants = {{4, 50}, {5, 33}}, .projected = {300}, .halfProjected = {80}, .looseRows = 77};
+  const TableShape shape{
+      .circulants = {{4, 50}, {5, 33}}, .projected = {300}, .halfProjected = {80}, .dense = {{3, 70}}, .looseRows = 77};
   EXPECT_TRUE(agree(shape, {0, 3, 4}, {0, 3, 4}));
   EXPECT_TRUE(agree(shape, {5, 3, 8}, {2, 3, 3}));
   EXPECT_TRUE(agree(shape, {0, 3, 3}, {7, 3, 11}));
@@ -72,7 +88,8 @@ TEST_F(BatchesTest, OffsetsAndStrides) {
 }
 
 TEST_F(BatchesTest, ValuesOfAllMagnitudes) {
-  const Far::LevelTable table = randomTable({.circulants = {{3, 300}, {6, 300}}, .projected = {300}, .looseRows = 300});
+  const Far::LevelTable table =
+      randomTable({.circulants = {{3, 300}, {6, 300}}, .projected = {300}, .dense = {{4, 300}}, .looseRows = 300});
   auto evaluator = makeEvaluator();
   auto session = Osd::VulkanSession::create(evaluator, *evaluator.upload(std::vector{&table}, nullptr));
   ASSERT_TRUE(session) << session.error().message;

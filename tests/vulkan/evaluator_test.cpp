@@ -9,11 +9,14 @@
 #include "osd/vulkan/commands.h"
 #include "osd/vulkan/errors.h"
 #include "osd/vulkan/memory.h"
-#include "random_tables.h"
 #include "runs.h"
+#include "tests/support/random_tables.h"
 
 namespace honeycomb::VulkanTests {
 namespace {
+
+using Test::randomNumbers;
+using Test::randomTable;
 
 using testing::HasSubstr;
 
@@ -83,7 +86,7 @@ TEST_F(EvaluatorTest, TwoEvaluatorsOnOneDevice) {
 }
 
 TEST_F(EvaluatorTest, TwoDevicesSideBySide) {
-  auto other = Osd::VulkanContext::create({.validation = kValidation});
+  auto other = Osd::VulkanContext::create({.validation = validationWanted()});
   ASSERT_TRUE(other) << other.error().message;
   auto here = makeEvaluator();
   auto there = Osd::VulkanEvaluator::create(other->device());

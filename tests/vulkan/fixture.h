@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 
 #include "osd/vulkan/context.h"
 #include "osd/vulkan/evaluator.h"
@@ -12,14 +14,18 @@
 
 namespace honeycomb::VulkanTests {
 
-constexpr bool kValidation = HONEYCOMB_VULKAN_VALIDATION != 0;
+/// Is the validation layer wanted? The test preset `validation` sets HONEYCOMB_VULKAN_VALIDATION=1.
+inline bool validationWanted() {
+  const char* value = std::getenv("HONEYCOMB_VULKAN_VALIDATION");
+  return value != nullptr && std::string_view(value) == "1";
+}
 
 /// A device for each test. At its end the device is destroyed, and nothing may have been said by the validation layer,
 /// leaked objects included (without the `validation` preset the layer isn't loaded).
 class VulkanTest : public testing::Test {
  protected:
   void SetUp() override {
-    auto created = Osd::VulkanContext::create({.validation = kValidation});
+    auto created = Osd::VulkanContext::create({.validation = validationWanted()});
     ASSERT_TRUE(created) << created.error().message;
     context.emplace(std::move(*created));
   }

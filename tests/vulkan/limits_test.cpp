@@ -5,12 +5,16 @@
 
 #include "fixture.h"
 #include "osd/vulkan/session.h"
-#include "random_tables.h"
 #include "reference.h"
 #include "runs.h"
+#include "tests/support/random_tables.h"
 
 namespace honeycomb::VulkanTests {
 namespace {
+
+using Test::randomLimits;
+using Test::randomNumbers;
+using Test::randomTable;
 
 using testing::HasSubstr;
 
@@ -46,6 +50,7 @@ class LimitsTest : public VulkanTest {
     VulkanTest::SetUp();
     level = randomTable({.sourceCount = 300, .circulants = {{4, 100}, {6, 60}}});
     limits = randomLimitTable(level.targetCount, 40);
+    limits.vertices.elementCount = limits.verticesHere.elementCount = level.targetCount;  // a result for every vertex
   }
 
   Result<Osd::VulkanSession> session(Osd::VulkanEvaluator& evaluator, const Osd::VulkanTableOptions& options) {

@@ -2,11 +2,14 @@
 #include <gmock/gmock.h>
 
 #include "fixture.h"
-#include "random_tables.h"
 #include "runs.h"
+#include "tests/support/random_tables.h"
 
 namespace honeycomb::VulkanTests {
 namespace {
+
+using Test::randomTable;
+using Test::TableShape;
 
 using testing::HasSubstr;
 
@@ -21,14 +24,21 @@ TEST_F(PagingTest, EveryBatchOverSeveralPages) {
       agrees(evaluator, {randomTable({.sourceCount = 4000, .projected = {65, 300, 66, 70, 200, 330}})}, {}, {}));
   EXPECT_TRUE(agrees(evaluator, {randomTable({.sourceCount = 4000, .looseRows = 6000})}, {}, {}));
   EXPECT_TRUE(agrees(
-      evaluator, {randomTable({.sourceCount = 4000, .circulants = {{6, 900}}, .projected = {100}, .looseRows = 900})},
+      evaluator, {randomTable({.sourceCount = 4000, .dense = {{1, 2500}, {2, 1500}, {4, 3000}, {16, 700}}})}, {}, {}));
+  EXPECT_TRUE(agrees(
+      evaluator,
+      {randomTable(
+          {.sourceCount = 4000, .circulants = {{6, 900}}, .projected = {100}, .dense = {{3, 900}}, .looseRows = 900})},
       {5, 3, 4}, {3, 3, 7}));
 }
 
 TEST_F(PagingTest, EveryLengthOverSeveralPages) {
   auto evaluator = makeEvaluator({.maxStorageBufferRange = 4096});
-  const Far::LevelTable table =
-      randomTable({.sourceCount = 1000, .circulants = {{3, 300}, {6, 300}}, .projected = {70, 65}, .looseRows = 400});
+  const Far::LevelTable table = randomTable({.sourceCount = 1000,
+                                             .circulants = {{3, 300}, {6, 300}},
+                                             .projected = {70, 65},
+                                             .dense = {{4, 400}},
+                                             .looseRows = 400});
   for (const std::int32_t length : {1, 2, 4, 7}) {
     EXPECT_TRUE(agrees(evaluator, {table}, {1, length, length + 1}, {2, length, length + 2})) << "length " << length;
   }
@@ -51,7 +61,7 @@ TEST_F(PagingTest, RangesThatAreNoPowerOfTwoAreRoundedDown) {
 
 TEST_F(PagingTest, DispatchesInTwoDimensions) {
   auto evaluator = makeEvaluator({.maxWorkgroupsInRow = 3});
-  const TableShape shape{.circulants = {{6, 2000}}, .projected = {3000, 700}, .looseRows = 1000};
+  const TableShape shape{.circulants = {{6, 2000}}, .projected = {3000, 700}, .dense = {{4, 1000}}, .looseRows = 1000};
   EXPECT_TRUE(agrees(evaluator, {randomTable(shape)}, {}, {}));
 }
 

@@ -106,6 +106,18 @@ void projected(const Far::LevelTable& table, const Far::ProjectedFace& face, Com
   }
 }
 
+void dense(const Far::LevelTable& table, const Far::DenseRows& batch, Component in, WritableComponent out) {
+  for (std::int64_t g = 0; g < batch.rowCount; ++g) {
+    float sum = 0;
+    for (std::int64_t j = 0; j < batch.width; ++j) {
+      const float term = at(table.weightsSingle, batch.firstWeight + j) *
+                         in[at(table.indices, batch.firstIndex + g * batch.width + j)];
+      sum = j == 0 ? term : sum + term;
+    }
+    out[batch.firstOutput + g] = sum;
+  }
+}
+
 void loose(const Far::LevelTable& table, Component in, WritableComponent out) {
   const Far::LooseRows& rows = table.loose;
   for (std::int32_t r = 0; r < rows.rowCount(); ++r) {
@@ -137,6 +149,7 @@ void evaluateLevel(const Far::LevelTable& table, const std::vector<float>& sourc
     const WritableComponent out{target, targetDesc, c};
     for (const auto& batch : table.circulants) circulant(table, batch, in, out);
     for (const auto& face : table.projected) projected(table, face, in, out);
+    for (const auto& batch : table.dense) dense(table, batch, in, out);
     loose(table, in, out);
   }
 }

@@ -1,11 +1,13 @@
 // Real refinements: all levels, limits and normals, the same bits as the serial evaluator's.
 #include "far/tables/refinement.h"
 
+#include "far/tables/stencil_table.h"
 #include "fixture.h"
 #include "osd/cpu_evaluator.h"
 #include "osd/vulkan/session.h"
 #include "runs.h"
 #include "tests/support/refined.h"
+#include "tests/support/scheme_list.h"
 #include "tests/support/shapes.h"
 
 namespace honeycomb::VulkanTests {
@@ -87,6 +89,15 @@ TEST_F(RefinementTest, OfEveryBoundaryRule) {
   }
 }
 
+TEST_F(RefinementTest, UnderEveryScheme) {
+  for (const Meshes::PolyMesh& mesh : {Meshes::torus(12, 10), Meshes::grid(10, 9)}) {
+    for (const Meshes::ListedScheme& scheme : Meshes::listedSchemes()) {
+      SCOPED_TRACE(scheme.name);
+      compare(Meshes::refinedBy(scheme, Meshes::toTopology(mesh), 2, true), Meshes::pack<float>(mesh.points));
+    }
+  }
+}
+
 TEST_F(RefinementTest, OfLargeFaces) {
   const Meshes::PolyMesh mesh = Meshes::prism(5000);
   compare(refined(mesh, schemeCase(0.6).scheme, 2, {}, true), Meshes::pack<float>(mesh.points));
@@ -96,6 +107,24 @@ TEST_F(RefinementTest, OverSeveralPages) {
   const Meshes::PolyMesh mesh = Meshes::torus(30, 20);
   compare(refined(mesh, schemeCase(0.6).scheme, 3, {}, true), Meshes::pack<float>(mesh.points),
           {.maxStorageBufferRange = 1 << 17});
+}
+
+TEST_F(RefinementTest, OfStencilTables) {
+  const Meshes::PolyMesh mesh = Meshes::grid(6, 5);
+  const Far::Refinement refinement = refined(mesh, schemeCase(0.6).scheme, 2, {}, true);
+  const std::vector<float> control = Meshes::pack<float>(mesh.points);
+  const auto table = Far::StencilTable::build(refinement, {.kind = Far::StencilKind::vertexLimits});
+  ASSERT_TRUE(table) << table.error().message;
+  auto evaluator = makeEvaluator();
+  for (const auto which : {Far::StencilWeights::position, Far::StencilWeights::tangent2}) {
+    const Far::LevelTable rows = table->asLevelTable(which);
+    auto session = Osd::VulkanSession::create(evaluator, *evaluator.upload(std::vector{&rows}, nullptr));
+    ASSERT_TRUE(session) << session.error().message;
+    std::vector<float> expected(session->refined().size()), out(expected);
+    ASSERT_TRUE(session->refine(control, out));
+    throwError(serial.evaluate<float>(*table, {control, {}}, {expected, {}}, which));
+    EXPECT_TRUE(sameBits(expected, out));
+  }
 }
 
 TEST_F(RefinementTest, ThroughStaging) {

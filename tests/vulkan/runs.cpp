@@ -4,10 +4,12 @@
 #include <cstdint>
 
 #include "osd/vulkan/session.h"
-#include "random_tables.h"
 #include "reference.h"
+#include "tests/support/random_tables.h"
 
 namespace honeycomb::VulkanTests {
+
+using Test::randomNumbers;
 
 testing::AssertionResult sameBits(std::span<const float> expected, std::span<const float> actual) {
   if (expected.size() != actual.size()) {

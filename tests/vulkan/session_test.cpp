@@ -2,11 +2,14 @@
 #include "osd/vulkan/session.h"
 
 #include "fixture.h"
-#include "random_tables.h"
 #include "runs.h"
+#include "tests/support/random_tables.h"
 
 namespace honeycomb::VulkanTests {
 namespace {
+
+using Test::randomNumbers;
+using Test::randomTable;
 
 class SessionTest : public VulkanTest {
  protected:

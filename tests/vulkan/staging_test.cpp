@@ -1,12 +1,17 @@
 // As on a discrete GPU: nothing is shared, tables and points are copied by commands.
 #include "fixture.h"
 #include "osd/vulkan/session.h"
-#include "random_tables.h"
 #include "reference.h"
 #include "runs.h"
+#include "tests/support/random_tables.h"
 
 namespace honeycomb::VulkanTests {
 namespace {
+
+using Test::randomLimits;
+using Test::randomNumbers;
+using Test::randomTable;
+using Test::TableShape;
 
 class StagingTest : public VulkanTest {};
 

@@ -7,11 +7,13 @@
 
 #include "fixture.h"
 #include "osd/vulkan/session.h"
-#include "random_tables.h"
 #include "runs.h"
+#include "tests/support/random_tables.h"
 
 namespace honeycomb::VulkanTests {
 namespace {
+
+using Test::randomTable;
 
 using testing::Contains;
 using testing::HasSubstr;

@@ -1,15 +1,14 @@
-# On the validation preset every Vulkan test runs under the validation layer and must not cause a message.
+# On the validation preset (HONEYCOMB_VULKAN_VALIDATION=1 in the environment) every Vulkan test runs under the validation
+# layer and must not cause a message.
 set(HONEYCOMB_VULKAN_TESTS
   context_test batches_test limits_test paging_test evaluator_test session_test staging_test synchronization_test
   precise_test)
 
 add_library(honeycomb_vulkan_test_support STATIC
-  ${CMAKE_CURRENT_LIST_DIR}/random_tables.cpp
   ${CMAKE_CURRENT_LIST_DIR}/reference.cpp
   ${CMAKE_CURRENT_LIST_DIR}/runs.cpp)
-target_link_libraries(honeycomb_vulkan_test_support PUBLIC honeycomb::osd_vulkan GTest::gtest PRIVATE honeycomb_warnings)
-target_compile_definitions(honeycomb_vulkan_test_support
-  PUBLIC HONEYCOMB_VULKAN_VALIDATION=$<BOOL:${HONEYCOMB_VULKAN_VALIDATION}>)
+target_link_libraries(honeycomb_vulkan_test_support PUBLIC honeycomb::osd_vulkan honeycomb::test_support
+                                                            GTest::gtest PRIVATE honeycomb_warnings)
 
 foreach(name IN LISTS HONEYCOMB_VULKAN_TESTS)
   honeycomb_test(vulkan_${name}

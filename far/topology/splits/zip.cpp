@@ -1,9 +1,6 @@
 #include "far/topology/splits/zip.h"
 
-#include <fmt/format.h>
-
-#include <limits>
-
+#include "far/topology/splits/slot_rule.h"
 #include "far/topology/splits/zip_rules.h"
 
 namespace honeycomb::Far {
@@ -97,12 +94,9 @@ Split zip(BoundaryRule boundary) {
   split.apply = [boundary](const Topology& parent) -> Result<SplitResult> {
     // Slots: three a half-edge and four a boundary edge.
     const std::int64_t slots = 3 * std::int64_t{parent.halfEdgeCount()} + 4 * std::int64_t{parent.boundaryEdgeCount()};
-    if (slots > std::numeric_limits<std::int32_t>::max()) {
-      return fail(ErrorCode::tooLarge,
-                  fmt::format("refining {} half-edges would pass 2^31 - 1; use fewer levels", parent.halfEdgeCount()));
-    }
+    if (auto fits = checkSlots(slots, parent); !fits) return tl::unexpected(fits.error());
     if (parent.closed()) return zipClosed(parent);
-    if (boundary != BoundaryRule::brick && parent.runs().back().kind != FaceKind::full) {
+    if (boundary != BoundaryRule::brick && isCutByBrick(parent.runs().back().kind)) {
       return fail(ErrorCode::invalidOption,
                   "cells cut by the brick rule can't be refined by another boundary rule; use brick");
     }

@@ -1,6 +1,6 @@
 #include "far/base/index.h"
-#include "far/topology/splits/slot_assembler.h"
 #include "far/topology/splits/zip_rules.h"
+#include "far/topology/splits/zip_slots.h"
 
 /// The brick rule: the boundary is a mirror line. Cells on it are cut in half, in the spirit of the half polygons of
 /// Beets et al. and of Akleman and Srinivasan's bricklayers. With n and p the next and previous half-edge of h:
@@ -120,7 +120,7 @@ class BrickSlots : public ZipSlots {
   std::vector<OtherPoint> otherPoints() const override {
     std::vector<OtherPoint> points;
     for (const FaceRun& run : parent().runs()) {
-      if (run.kind == FaceKind::full) continue;
+      if (!isCutByBrick(run.kind)) continue;
       const PointKind kind = run.kind == FaceKind::half ? PointKind::halfFaceCorner : PointKind::cornerFaceCorner;
       for (std::int32_t h = run.firstHalfEdge; h < run.firstHalfEdge + run.faceCount * run.sides; ++h) {
         if (!isCut(h) && cornerPoint(h) == h) points.push_back({h, {kind, h}});

@@ -1,7 +1,7 @@
 #include "far/base/index.h"
 #include "far/base/parallel.h"
-#include "far/topology/splits/slot_assembler.h"
 #include "far/topology/splits/zip_rules.h"
+#include "far/topology/splits/zip_slots.h"
 
 /// Akleman and Srinivasan's rules taken literally on an open mesh: only inner vertices give faces, and a face that no
 /// such face would touch is left out. The mesh erodes from its boundary.

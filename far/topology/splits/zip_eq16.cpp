@@ -1,6 +1,6 @@
 #include "far/base/index.h"
-#include "far/topology/splits/slot_assembler.h"
 #include "far/topology/splits/zip_rules.h"
+#include "far/topology/splits/zip_slots.h"
 
 /// Zhang and Wang, "Honeycomb Subdivision", section 4.2 and eq 16: every face gives a face; a boundary vertex with more
 /// than two edges gives one too, closed by a new point v_b of its own; a boundary vertex with two edges gives none.
@@ -20,7 +20,7 @@ class Eq16Slots : public ZipSlots {
   }
 
   void vertexLoop(std::int32_t v, std::vector<std::int32_t>& slots) const override {
-    if (!keepsCell(v)) return;
+    if (!parent().keepsFace(v)) return;
     const std::int32_t first = parent().outgoing(v);
     std::int32_t h = first;
     do {
@@ -47,9 +47,9 @@ class Eq16Slots : public ZipSlots {
     const std::int32_t h = s / 3;
     switch (s % 3) {
       case A:
-        return keepsCell(parent().dest(h)) ? slot(parent().next(h), C) : -1;
+        return parent().keepsFace(parent().dest(h)) ? slot(parent().next(h), C) : -1;
       case B:
-        return keepsCell(parent().vert(h)) ? slot(parent().twin(h), B) : -1;
+        return parent().keepsFace(parent().vert(h)) ? slot(parent().twin(h), B) : -1;
       default:
         return slot(parent().prev(h), A);
     }
@@ -58,7 +58,7 @@ class Eq16Slots : public ZipSlots {
   std::vector<OtherPoint> otherPoints() const override {
     std::vector<OtherPoint> points;
     for (const std::int32_t b : parent().boundary()) {
-      if (keepsCell(parent().vert(b))) {
+      if (parent().keepsFace(parent().vert(b))) {
         points.push_back({ownPoint(parent().vert(b)), {PointKind::boundaryVertex, b}});
       }
     }
@@ -66,9 +66,6 @@ class Eq16Slots : public ZipSlots {
   }
 
  private:
-  bool keepsCell(std::int32_t v) const {
-    return !parent().onBoundary(v) || parent().nextOutgoing(parent().outgoing(v)) >= 0;
-  }
   std::int32_t ownPoint(std::int32_t v) const { return pointSlot(parent().outgoing(v), 0); }
 };
 

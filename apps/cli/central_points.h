@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "apps/cli/mesh_input.h"
+#include "apps/cli/scheme_options.h"
+#include "far/base/result.h"
+#include "io/pc2.h"
+
+namespace honeycomb::Cli {
+
+/// Where the central control vertices of a mesh's faces are, one a face in file order.
+struct CentralPoints {
+  bool given = false;                  ///< false: at the barycentres, which the tables see to
+  double offset = 0;                   ///< distance from the barycentres along the normals, where they aren't in a file
+  std::string file;                    ///< --ccv; empty: none
+  std::vector<double> positions;       ///< x y z a face, of an OBJ
+  std::optional<Io::Pc2Reader> cache;  ///< frames of them, of a PC2
+};
+
+/// Central control vertices of one pose, from --ccv F.obj or --ccv-offset.
+/// Errors: those of the file; invalidFile, naming both numbers, when there are not as many as faces; invalidOption.
+Result<CentralPoints> readCentralPoints(const SchemeOptions& options, const MeshInput& input);
+
+/// The same for each frame of an animation of `frameCount` frames, from --ccv F.pc2 or --ccv-offset.
+Result<CentralPoints> readCentralCache(const SchemeOptions& options, const MeshInput& input, std::int32_t frameCount);
+
+/// Appends the central control vertices of a pose to its vertices, x y z each: those at the offset from the barycentres
+/// of the faces of `polygons`. A face without a normal keeps its barycentre. Parallel.
+template <class Real>
+void appendOffsetPoints(const Far::Polygons& polygons, double offset, std::vector<Real>& points);
+
+}  // namespace honeycomb::Cli

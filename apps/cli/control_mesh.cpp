@@ -1,0 +1,19 @@
+#include "apps/cli/control_mesh.h"
+
+#include "apps/cli/memory.h"
+
+namespace honeycomb::Cli {
+
+Result<ControlMesh> prepareControl(MeshInput input, const SchemeOptions& options, const ChainRequest& request) {
+  if (keepsCorners(options)) tagCorners(input.mesh.polygons);
+  Result<Far::Topology> topology = makeTopology(input);
+  if (!topology) return tl::unexpected(topology.error());
+  Result<SchemeChain> chain = makeChain(request, options, *topology, availableMemory());
+  if (chain) return ControlMesh{std::move(input), std::move(*topology), std::move(*chain)};
+  // Options are wrong whatever the mesh, unless an element of it is named.
+  const Error& error = chain.error();
+  const bool ofOptions = error.code == ErrorCode::invalidOption && error.kind == ElementKind::other;
+  return tl::unexpected(ofOptions ? error : located(input, error));
+}
+
+}  // namespace honeycomb::Cli

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "apps/cli/mesh_input.h"
+#include "apps/cli/scheme_chain.h"
+#include "far/topology/topology.h"
+
+namespace honeycomb::Cli {
+
+/// A mesh and how it is to be refined, validated.
+struct ControlMesh {
+  MeshInput input;
+  Far::Topology topology;
+  SchemeChain chain;
+};
+
+/// Makes the connectivity and the steps for a mesh that was read. Errors: invalidMesh, naming line, face or vertex;
+/// those of makeChain.
+Result<ControlMesh> prepareControl(MeshInput input, const SchemeOptions& options, const ChainRequest& request);
+
+}  // namespace honeycomb::Cli

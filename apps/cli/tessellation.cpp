@@ -1,0 +1,128 @@
+#include "apps/cli/tessellation.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "apps/cli/console.h"
+#include "apps/cli/schemes.h"
+#include "far/base/index.h"
+#include "far/base/parallel.h"
+#include "far/tables/patch_table.h"
+
+namespace honeycomb::Cli {
+namespace {
+
+/// Puts the rows of `more` behind those of a table of loose rows over the same points.
+void append(Far::LevelTable& table, const Far::LevelTable& more) {
+  const auto entries = static_cast<std::int32_t>(table.indices.size());
+  for (const std::int32_t output : more.loose.outputs) table.loose.outputs.push_back(table.targetCount + output);
+  for (std::size_t r = 1; r < more.loose.offsets.size(); ++r)
+    table.loose.offsets.push_back(entries + more.loose.offsets[r]);
+  table.indices.insert(table.indices.end(), more.indices.begin(), more.indices.end());
+  table.weights.insert(table.weights.end(), more.weights.begin(), more.weights.end());
+  table.weightsSingle.insert(table.weightsSingle.end(), more.weightsSingle.begin(), more.weightsSingle.end());
+  table.targetCount += more.targetCount;
+}
+
+/// Samples share the vertices of patches: K^2/2 a patch, and as many on edges as there are.
+Result<void> checkMemory(const Far::PatchTable& patches, std::int32_t pieces, std::int64_t memory) {
+  // Three tables of rows with 13 entries, as patches of hexagons have them, twice while they are put together; the
+  // triangles; x y z and the derivatives.
+  constexpr std::int64_t kRow = 13 * (4 + 4 + 8) + 8, kVertex = 2 * 3 * kRow + 9 * 8, kTriangle = 3 * 4 * 8;
+  const std::int64_t triangles = std::int64_t{patches.patchCount()} * pieces * pieces;
+  const std::int64_t bytes = triangles * kTriangle + (triangles / 2 + patches.patchCount()) * kVertex;
+  if (bytes <= memory) return {};
+  return fail(
+      ErrorCode::tooLarge,
+      fmt::format("--tessellate {}: {} patches would take about {} ({} bytes) of memory, {} is free; use a lower "
+                  "number, or fewer --levels",
+                  pieces, grouped(patches.patchCount()), humanBytes(bytes), bytes, humanBytes(memory)));
+}
+
+Result<Far::LevelTable> makeTable(const Far::PatchTable& patches, const Far::Tessellation& tessellation,
+                                  Normals normals) {
+  Result<Far::LimitStencils> stencils = patches.limitStencils(tessellation.samples);
+  if (!stencils) return tl::unexpected(stencils.error());
+  Far::LevelTable table = std::move(stencils->positions);
+  if (normals == Normals::none) return table;
+  const std::size_t entries = table.indices.size() + stencils->du.indices.size() + stencils->dv.indices.size();
+  if (entries > at(std::numeric_limits<std::int32_t>::max()))
+    return fail(ErrorCode::tooLarge,
+                "the stencils of the normals have more than 2^31 - 1 weights; use a lower "
+                "--tessellate, or --normals none");
+  append(table, stencils->du);
+  append(table, stencils->dv);
+  return table;
+}
+
+}  // namespace
+
+Result<void> checkTessellation(const ChainRequest& request, const SchemeOptions& options, std::int32_t pieces) {
+  const ChainPart& last = request.parts.back();
+  if (pieces < 1 || pieces > Far::kMostPieces)
+    return fail(ErrorCode::invalidOption,
+                fmt::format("--tessellate {}: give a number from 1 to {}", pieces, Far::kMostPieces));
+  if (!last.scheme->patches)
+    return fail(ErrorCode::invalidOption,
+                fmt::format("--tessellate {}: {} has no patches; use half-box, alone or last in a chain", pieces,
+                            last.scheme->name));
+  const std::string tuned = options.text(kTunedOption);
+  if (tuned == "all" || (tuned == "first" && last.levels == 0))
+    return fail(ErrorCode::invalidOption,
+                fmt::format("--tessellate {}: patches are those of the untuned weights; use --tuned none, or --tuned "
+                            "first with --levels 1 or more",
+                            pieces));
+  if (last.boundary != "natural")
+    return fail(ErrorCode::invalidOption,
+                fmt::format("--tessellate {}: the patches end at the natural boundary; leave out --boundary {}", pieces,
+                            last.boundary));
+  return {};
+}
+
+Result<Far::Refinement> tessellate(Far::Refinement refinement, std::int32_t pieces, Normals normals,
+                                   std::int64_t memory) {
+  const Result<Far::PatchTable> patches = Far::PatchTable::build(refinement.last().topology);
+  if (!patches) return tl::unexpected(patches.error());
+  if (patches->patchCount() == 0)
+    return fail(ErrorCode::invalidMesh,
+                "no vertex lies inside the mesh, so there is no surface to tessellate; give a "
+                "larger mesh");
+  if (const auto fits = checkMemory(*patches, pieces, memory); !fits) return tl::unexpected(fits.error());
+  const Result<Far::Tessellation> tessellation = patches->tessellate(pieces);
+  if (!tessellation) return tl::unexpected(tessellation.error());
+  Result<Far::LevelTable> table = makeTable(*patches, *tessellation, normals);
+  if (!table) return tl::unexpected(table.error());
+  Result<Far::Topology> triangles = Far::Topology::create(tessellation->polygons);
+  if (!triangles)
+    return fail(ErrorCode::invalidMesh,
+                fmt::format("--tessellate {}: the triangles are no manifold, since faces have several edges in common; "
+                            "use 2 or more",
+                            pieces));
+  return std::move(refinement).followedBy({std::move(*triangles), std::move(*table), Far::CentralPoints::none});
+}
+
+template <class Real>
+void setNormals(Surface<Real>& surface) {
+  const std::size_t size = 3 * at(surface.vertexCount);
+  surface.normals.resize(size);
+  const Real* du = surface.points.data() + size;
+  const Real* dv = du + size;
+  Parallel::forEach(0, surface.vertexCount, [&](std::int64_t v) {
+    const std::size_t x = 3 * at(v), y = x + 1, z = x + 2;
+    const Real nx = du[y] * dv[z] - du[z] * dv[y];
+    const Real ny = du[z] * dv[x] - du[x] * dv[z];
+    const Real nz = du[x] * dv[y] - du[y] * dv[x];
+    const Real square = nx * nx + ny * ny + nz * nz;
+    const bool proper = square >= std::numeric_limits<Real>::min() && std::isfinite(square);
+    const Real scale = proper ? 1 / std::sqrt(square) : 0;
+    surface.normals[x] = nx * scale;
+    surface.normals[y] = ny * scale;
+    surface.normals[z] = nz * scale;
+  });
+}
+template void setNormals(Surface<float>&);
+template void setNormals(Surface<double>&);
+
+}  // namespace honeycomb::Cli

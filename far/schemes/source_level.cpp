@@ -1,0 +1,48 @@
+#include "far/schemes/source_level.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "far/base/index.h"
+
+namespace honeycomb::Far {
+
+void SourceLevel::addBarycentre(std::int32_t f, double weight, Row& row) const {
+  const double share = weight / topology_.sides(f);
+  for (std::int32_t h = topology_.faceOffsets()[at(f)]; h < topology_.faceOffsets()[at(f) + 1]; ++h) {
+    row.push_back({topology_.vert(h), share});
+  }
+}
+
+void SourceLevel::addCentral(std::int32_t f, double weight, Row& row) const {
+  if (hasCentral()) {
+    row.push_back({central(f), weight});
+  } else {
+    addBarycentre(f, weight, row);
+  }
+}
+
+void mergeEntries(Row& row) {
+  std::vector<std::size_t> order(row.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return row[a].point < row[b].point; });
+  std::vector<std::size_t> first(row.size());  // the first entry of each entry's point
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && row[order[i]].point == row[order[i - 1]].point;
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
+  }
+  std::size_t kept = 0;
+  std::vector<std::size_t> place(row.size());
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (first[i] == i) {
+      place[i] = kept;
+      row[kept++] = row[i];
+    } else {
+      row[place[first[i]]].weight += row[i].weight;
+    }
+  }
+  row.resize(kept);
+}
+
+}  // namespace honeycomb::Far

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "far/schemes/source_level.h"
+#include "far/topology/crease_cut.h"
+#include "far/topology/topology.h"
+
+namespace honeycomb::Far {
+
+/// The face-varying values of one level: each corner of a face has a value; along an edge whose ends have the same
+/// values on both sides the charts of the two faces are one, along a seam they aren't.
+///
+/// A chart is continued across a seam by the similarity of the plane (rotation, uniform scale, translation) that takes
+/// the edge's two values in the chart beyond to those in the chart itself; so texture coordinates (length 2) go on
+/// beyond their seam at their own density. Other values, and charts without area, aren't continued.
+class Charts {
+ public:
+  /// `corners`: a value for each half-edge, the corner it leaves in its face. `values`: `length` numbers a value; where
+  /// no edge of level 0 is a seam (`mayHaveSeams`) nothing looks at them. `firstCentral`: the value of face 0's central
+  /// control vertex, -1 when faces have none.
+  Charts(const Topology& topology, std::span<const std::int32_t> corners, std::span<const double> values,
+         std::int32_t length, std::int32_t firstCentral, bool mayHaveSeams);
+
+  bool hasSeams() const { return seams_; }
+  /// Does a seam meet a corner of face f?
+  bool touched(std::int32_t f) const { return seams_ && touched_[static_cast<std::size_t>(f)] != 0; }
+  bool isSeam(std::int32_t h) const;
+  const Topology& topology() const { return topology_; }
+  /// Are values continued at all?
+  bool planar() const { return length_ == 2; }
+  std::int32_t corner(std::int32_t h) const { return corners_[static_cast<std::size_t>(h)]; }
+
+  /// The half-edge at which vertex v is a corner of face f, -1 if it is none. Linear in the smaller of valence and
+  /// sides.
+  std::int32_t cornerOf(std::int32_t v, std::int32_t f) const;
+
+  /// A face whose values are to be read in a chart.
+  struct Place {
+    std::int32_t face = -1;                             ///< -1: it was not found
+    std::int32_t corner = -1;                           ///< the half-edge of the corner looked for
+    bool plain = true;                                  ///< no seam lies between
+    bool continued = false;                             ///< `toChart` is meaningful
+    std::array<std::complex<double>, 2> toChart{1, 0};  ///< factor and shift of the similarity
+  };
+  /// Face `face` seen from the chart of the face of `pivots`, half-edges of that face: round the vertices they leave,
+  /// the way that crosses the fewest seams, then the fewest edges.
+  Place findFace(std::int32_t face, std::span<const std::int32_t> pivots) const;
+  /// The nearest face that has vertex v, in the same way.
+  Place findVertex(std::int32_t v, std::span<const std::int32_t> pivots) const;
+
+  /// A stencil row in the chart of a face. What is continued is summed up as a point of the chart's plane, and written
+  /// as weights on three of the face's own corners, so that rows stay rows.
+  struct ChartRow {
+    Row row;
+    double weight = 0;
+    std::complex<double> sum = 0;
+  };
+  /// Adds weight times a corner seen from a chart; false when it can't be continued.
+  bool add(const Place& place, double weight, ChartRow& row) const;
+  /// Adds weight times a value of the chart of `place`, which isn't plain; false when it can't be continued.
+  bool add(const Place& place, std::complex<double> value, double weight, ChartRow& row) const;
+  /// Writes what was summed up as weights on the corners of `face`; false when that can't be done.
+  bool close(std::int32_t face, ChartRow& row) const;
+
+  /// The central control vertex of face f, where faces have one.
+  std::int32_t central(std::int32_t f) const { return firstCentral_ + f; }
+  bool hasCentral() const { return firstCentral_ >= 0; }
+  std::complex<double> value(std::int32_t i) const {
+    return {values_[2 * static_cast<std::size_t>(i)], values_[2 * static_cast<std::size_t>(i) + 1]};
+  }
+
+ private:
+  template <class Found>
+  Place walk(std::int32_t pivot, bool counterClockwise, const Found& found, std::int32_t& seams,
+             std::int32_t& steps) const;
+  template <class Found>
+  Place search(std::span<const std::int32_t> pivots, const Found& found) const;
+  void cross(std::int32_t h, Place& place) const;
+  std::int32_t across(std::int32_t h) const;
+  bool equal(std::int32_t a, std::int32_t b) const;
+  void findSeams();
+  void findFrames();
+  std::array<std::int32_t, 3> frameOf(std::int32_t f) const;
+
+  const Topology& topology_;
+  std::span<const std::int32_t> corners_;
+  std::span<const double> values_;
+  std::int32_t length_;
+  std::int32_t firstCentral_;
+  CreaseSides creases_;
+  double tolerance_ = 0;
+  bool seams_ = false;
+  std::vector<std::uint8_t> touched_;                // per face
+  std::vector<std::array<std::int32_t, 3>> frames_;  // per face: half-edges of three corners that span the plane, or -1
+};
+
+}  // namespace honeycomb::Far

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <vector>
+
+#include "far/base/index.h"
+#include "far/tables/level_table.h"
+
+namespace honeycomb::Far {
+
+/// The rows of a level table one by one, whatever batch they are in: for those who compose tables, write them down or
+/// hand them to others. Four bytes an output point; reads the table, which must outlive it.
+class LevelRows {
+ public:
+  enum class Kind : std::uint8_t { circulant, projected, dense, loose };
+  /// Where the row of an output point stands.
+  struct Place {
+    Kind kind = Kind::loose;
+    std::int32_t batch = 0;  ///< in the table's batches of that kind; 0 for loose rows
+    std::int32_t item = 0;   ///< face of a circulant batch, row of dense or loose rows; 0 for a projected face
+    std::int32_t row = 0;    ///< output of that face; 0 for dense and loose rows
+    /// Outputs of one face read the same points.
+    bool sameFace(const Place& other) const { return kind == other.kind && batch == other.batch && item == other.item; }
+  };
+
+  /// Linear in the output points, in parallel.
+  explicit LevelRows(const LevelTable& table);
+
+  const LevelTable& table() const { return *table_; }
+  std::int32_t rowCount() const { return table_->targetCount; }
+  Place place(std::int32_t output) const;
+
+  /// Entries that visit() hands out; a point may come more than once.
+  std::int32_t entryCount(std::int32_t output) const;
+
+  /// Calls take(source point, weight) for every entry of the row, in the order in which the batch's points stand.
+  /// The sum of weight times point over the entries is the output point, up to rounding.
+  template <class Take>
+  void visit(std::int32_t output, const Take& take) const {
+    const Place p = place(output);
+    switch (p.kind) {
+      case Kind::circulant:
+        return visitCirculant(table_->circulants[at(p.batch)], p, take);
+      case Kind::projected:
+        return visitProjected(table_->projected[at(p.batch)], p.row, take);
+      case Kind::dense:
+        return visitDense(table_->dense[at(p.batch)], p.item, take);
+      case Kind::loose:
+        return visitLoose(p.item, take);
+    }
+  }
+
+ private:
+  double weight(std::int64_t i) const { return table_->weights[at(i)]; }
+  std::int32_t source(std::int64_t i) const { return table_->indices[at(i)]; }
+
+  template <class Take>
+  void visitCirculant(const CirculantBatch& batch, const Place& p, const Take& take) const {
+    const std::int64_t first = batch.firstIndex + std::int64_t{p.item} * batch.sides;
+    std::int32_t corner = p.row;
+    for (std::int32_t k = 0; k < batch.sides; ++k) {
+      take(source(first + corner), weight(batch.firstRow + k));
+      if (++corner == batch.sides) corner = 0;
+    }
+  }
+
+  template <class Take>
+  void visitProjected(const ProjectedFace& face, std::int32_t i, const Take& take) const {
+    const std::int64_t s = std::int64_t{face.firstWeight} + 2;
+    const std::int64_t n = face.corners;
+    const std::int64_t x = s + 3 * n + i;
+    const std::int32_t a =
+        face.firstCorner + i < face.corners ? face.firstCorner + i : face.firstCorner + i - face.corners;
+    const std::int32_t b = a + 1 == face.corners ? 0 : a + 1;
+    for (std::int32_t j = 0; j < face.corners; ++j) {
+      double w = weight(x) * weight(s + j) + weight(x + face.outputs) * weight(s + n + j) +
+                 weight(x + 2 * std::int64_t{face.outputs}) * weight(s + 2 * n + j);
+      if (j == a) w += weight(face.firstWeight);
+      if (j == b) w += weight(face.firstWeight + 1);
+      take(source(face.firstIndex + j), w);
+    }
+  }
+
+  template <class Take>
+  void visitDense(const DenseRows& batch, std::int32_t item, const Take& take) const {
+    const std::int64_t first = batch.firstIndex + std::int64_t{item} * batch.width;
+    for (std::int32_t j = 0; j < batch.width; ++j) take(source(first + j), weight(batch.firstWeight + j));
+  }
+
+  template <class Take>
+  void visitLoose(std::int32_t item, const Take& take) const {
+    const LooseRows& rows = table_->loose;
+    for (std::int32_t b = rows.offsets[at(item)]; b < rows.offsets[at(item) + 1]; ++b) {
+      take(source(rows.firstIndex + b), weight(rows.firstWeight + b));
+    }
+  }
+
+  /// Contiguous outputs of one batch.
+  struct Range {
+    Kind kind;
+    std::int32_t batch;
+    std::int32_t firstOutput;
+    std::int32_t itemOutputs;  // outputs of one item
+  };
+  void addRange(const Range& range, std::int64_t outputs);
+
+  const LevelTable* table_;
+  std::vector<Range> ranges_;
+  std::vector<std::int32_t> places_;  // by output point: a range, or -1 - loose row
+};
+
+}  // namespace honeycomb::Far

@@ -1,0 +1,80 @@
+#include "tests/support/creased.h"
+
+#include <initializer_list>
+#include <stdexcept>
+
+#include "tests/support/refined.h"
+#include "tests/support/shapes.h"
+
+namespace honeycomb::Test {
+namespace {
+
+void addLine(std::initializer_list<std::int32_t> path, double sharpness, std::vector<Far::Crease>& creases) {
+  for (auto v = path.begin(); v + 1 != path.end(); ++v) creases.push_back({v[0], v[1], sharpness});
+}
+
+}  // namespace
+
+Far::Topology creased(const PolyMesh& mesh, const std::vector<Far::Crease>& creases,
+                      const std::vector<std::size_t>& cornerTags) {
+  Far::Polygons polygons = toPolygons(mesh, cornerTags);
+  polygons.creases = creases;
+  Result<Far::Topology> topology = Far::Topology::create(polygons);
+  if (!topology) throw std::runtime_error(topology.error().message);
+  return std::move(*topology);
+}
+
+Far::Refinement refinedBy(const Far::Topology& control, const std::vector<Far::Scheme>& chain, bool limits) {
+  Result<Far::Refinement> refinement = Far::refine(control, chain, {.limits = limits, .memoryLimit = 0});
+  if (!refinement) throw std::runtime_error(refinement.error().message);
+  return std::move(*refinement);
+}
+
+std::vector<Far::Crease> creasesRound(const PolyMesh& mesh, std::size_t f, double sharpness) {
+  std::vector<Far::Crease> creases;
+  const Loop& loop = mesh.faces[f];
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    addLine({static_cast<std::int32_t>(loop[i]), static_cast<std::int32_t>(loop[(i + 1) % loop.size()])}, sharpness,
+            creases);
+  }
+  return creases;
+}
+
+std::vector<Far::Crease> creasesEverywhere(const PolyMesh& mesh, double sharpness) {
+  std::vector<Far::Crease> creases;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (const Far::Crease& crease : creasesRound(mesh, f, sharpness)) creases.push_back(crease);
+  }
+  return creases;
+}
+
+std::vector<CreasedMesh> creasedMeshes(double sharpness) {
+  std::vector<Far::Crease> star;
+  addLine({1, 6, 11, 12, 13}, sharpness, star);
+  addLine({12, 17, 22}, sharpness, star);
+  return {{"loop round a face of a cube", cube(), creasesRound(cube(), 0, sharpness)},
+          {"loop round a face of a dodecahedron", dodecahedron(), creasesRound(dodecahedron(), 3, sharpness)},
+          {"edge of a torus", torus(5, 6), {{0, 1, sharpness}}},
+          {"every edge of a cube", cube(), creasesEverywhere(cube(), sharpness)},
+          {"star on a grid with a border", grid(4, 4), star}};
+}
+
+PolyMesh detached(PolyMesh mesh, std::size_t f) {
+  for (std::size_t& v : mesh.faces[f]) {
+    mesh.points.push_back(mesh.points[v]);
+    v = mesh.points.size() - 1;
+  }
+  return mesh;
+}
+
+std::string sidesDiffer(const Far::Level& level, const std::vector<Vec3>& points) {
+  const Far::Topology& topology = level.topology;
+  for (const Far::CreaseEdge& crease : topology.creases()) {
+    const bool same = at(points, topology.vert(crease.halfEdge)) == at(points, topology.dest(crease.mate)) &&
+                      at(points, topology.dest(crease.halfEdge)) == at(points, topology.vert(crease.mate));
+    if (!same) return "half-edges " + std::to_string(crease.halfEdge) + " and " + std::to_string(crease.mate);
+  }
+  return {};
+}
+
+}  // namespace honeycomb::Test

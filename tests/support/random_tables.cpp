@@ -1,0 +1,143 @@
+#include "tests/support/random_tables.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace honeycomb::Test {
+
+namespace {
+
+std::int32_t sizeOf(const auto& values) {
+  return static_cast<std::int32_t>(values.size());
+}
+
+class Builder {
+ public:
+  Builder(const TableShape& shape, std::uint32_t seed) : random_(seed) { table_.sourceCount = shape.sourceCount; }
+
+  void addCirculant(TableShape::Faces faces) {
+    Far::CirculantBatch batch{.sides = faces.sides,
+                              .faceCount = faces.count,
+                              .firstIndex = sizeOf(table_.indices),
+                              .firstOutput = table_.targetCount,
+                              .firstRow = sizeOf(table_.weights),
+                              .firstForm = sizeOf(table_.weights)};
+    addIndices(faces.sides * faces.count);
+    addWeights(faces.sides);
+    if (faces.sides % 2 == 0) {
+      batch.firstForm = sizeOf(table_.weights);
+      addForm(batch);
+    }
+    table_.circulants.push_back(batch);
+    table_.targetCount += faces.sides * faces.count;
+  }
+
+  void addProjected(std::int32_t corners, std::int32_t outputs, std::int32_t firstCorner) {
+    table_.projected.push_back({.corners = corners,
+                                .outputs = outputs,
+                                .firstCorner = firstCorner,
+                                .firstIndex = sizeOf(table_.indices),
+                                .firstOutput = table_.targetCount,
+                                .firstWeight = sizeOf(table_.weights)});
+    addIndices(corners);
+    addWeights(2 + 3 * corners + 3 * outputs);
+    table_.targetCount += outputs;
+  }
+
+  void addDense(TableShape::Rows rows) {
+    table_.dense.push_back({.width = rows.width,
+                            .rowCount = rows.count,
+                            .firstIndex = sizeOf(table_.indices),
+                            .firstOutput = table_.targetCount,
+                            .firstWeight = sizeOf(table_.weights)});
+    addIndices(rows.width * rows.count);
+    addWeights(rows.width);
+    table_.targetCount += rows.count;
+  }
+
+  void addLoose(std::int32_t rows) {
+    Far::LooseRows& loose = table_.loose;
+    loose.firstIndex = sizeOf(table_.indices);
+    loose.firstWeight = sizeOf(table_.weights);
+    loose.outputs.resize(static_cast<std::size_t>(rows));
+    std::iota(loose.outputs.begin(), loose.outputs.end(), table_.targetCount);
+    std::shuffle(loose.outputs.begin(), loose.outputs.end(), random_);
+    table_.targetCount += rows;
+    std::uniform_int_distribution<std::int32_t> length(1, 9);
+    for (std::int32_t r = 0; r < rows; ++r) loose.offsets.push_back(loose.offsets.back() + length(random_));
+    addIndices(loose.offsets.back());
+    addWeights(loose.offsets.back());
+  }
+
+  Far::LevelTable take() {
+    for (const double weight : table_.weights) table_.weightsSingle.push_back(static_cast<float>(weight));
+    return std::move(table_);
+  }
+
+ private:
+  void addIndices(std::int32_t count) {
+    std::uniform_int_distribution<std::int32_t> point(0, table_.sourceCount - 1);
+    for (std::int32_t i = 0; i < count; ++i) table_.indices.push_back(point(random_));
+  }
+  void addWeights(std::int32_t count) {
+    std::uniform_real_distribution<double> weight(-1, 1);
+    for (std::int32_t i = 0; i < count; ++i) table_.weights.push_back(weight(random_));
+  }
+  void addForm(const Far::CirculantBatch& batch) {
+    const auto row = static_cast<std::size_t>(batch.firstRow), half = static_cast<std::size_t>(batch.sides / 2);
+    for (const double sign : {1.0, -1.0}) {
+      for (std::size_t k = 0; k < half; ++k) {
+        table_.weights.push_back((table_.weights[row + k] + sign * table_.weights[row + k + half]) / 2);
+      }
+    }
+  }
+
+  std::mt19937 random_;
+  Far::LevelTable table_;
+};
+
+}  // namespace
+
+Far::LevelTable randomTable(const TableShape& shape, std::uint32_t seed) {
+  Builder builder(shape, seed);
+  for (const auto& faces : shape.circulants) builder.addCirculant(faces);
+  for (const std::int32_t corners : shape.projected) builder.addProjected(corners, corners, 0);
+  for (const std::int32_t corners : shape.halfProjected) builder.addProjected(corners, corners / 2, corners - 3);
+  for (const auto& rows : shape.dense) builder.addDense(rows);
+  if (shape.looseRows > 0) builder.addLoose(shape.looseRows);
+  return builder.take();
+}
+
+Far::LimitRows randomLimits(std::int32_t sourceCount, const std::vector<TableShape::Faces>& batches,
+                            std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::uniform_int_distribution<std::int32_t> point(0, sourceCount - 1);
+  std::uniform_real_distribution<double> weight(-1, 1);
+  Far::LimitRows rows;
+  rows.sourceCount = sourceCount;
+  for (const auto& [sides, count] : batches) {
+    rows.batches.push_back({.sides = sides,
+                            .count = count,
+                            .firstIndex = sizeOf(rows.indices),
+                            .firstElement = rows.elementCount,
+                            .firstWeight = sizeOf(rows.weights)});
+    for (std::int32_t i = 0; i < sides * count; ++i) rows.indices.push_back(point(random));
+    for (std::int32_t i = 0; i < 3 * sides; ++i) rows.weights.push_back(weight(random));
+    rows.elementCount += count;
+  }
+  rows.elements.resize(static_cast<std::size_t>(rows.elementCount));
+  std::iota(rows.elements.begin(), rows.elements.end(), 0);
+  std::shuffle(rows.elements.begin(), rows.elements.end(), random);
+  for (const double value : rows.weights) rows.weightsSingle.push_back(static_cast<float>(value));
+  return rows;
+}
+
+std::vector<float> randomNumbers(std::int64_t count, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> value(-1, 1);
+  std::vector<float> numbers(static_cast<std::size_t>(count));
+  for (float& number : numbers) number = value(random);
+  return numbers;
+}
+
+}  // namespace honeycomb::Test

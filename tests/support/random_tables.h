@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "far/tables/level_table.h"
+#include "far/tables/limit_table.h"
+
+namespace honeycomb::Test {
+
+/// Which batches a random table has.
+struct TableShape {
+  std::int32_t sourceCount = 1000;
+  struct Faces {
+    std::int32_t sides, count;
+  };
+  std::vector<Faces> circulants{};
+  std::vector<std::int32_t> projected{};      ///< corners of each large face
+  std::vector<std::int32_t> halfProjected{};  ///< the same, with outputs for half of the corners from some corner on
+  struct Rows {
+    std::int32_t width, count;
+  };
+  std::vector<Rows> dense{};
+  std::int32_t looseRows = 0;
+};
+
+/// A level table with random indices and weights: nothing is assumed of how far/ orders what a level table promises.
+/// Loose rows have 1 to 9 entries and are written to places in random order, behind all other outputs.
+Far::LevelTable randomTable(const TableShape& shape, std::uint32_t seed = 1);
+
+/// Limit rows of elements in random order; batches as {sides, count}.
+Far::LimitRows randomLimits(std::int32_t sourceCount, const std::vector<TableShape::Faces>& batches,
+                            std::uint32_t seed = 1);
+
+/// Numbers between -1 and 1.
+std::vector<float> randomNumbers(std::int64_t count, std::uint32_t seed = 7);
+
+}  // namespace honeycomb::Test
