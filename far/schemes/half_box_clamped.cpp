@@ -181,7 +181,7 @@ Scheme clampedHalfBoxStep(const TunedWeights& tuned, HalfBoxCorners corners) {
   Scheme scheme;
   scheme.name = "half-box";
   scheme.split = chamferClamped();
-  scheme.creases = {CreaseRule::Reach::infinite, scheme.split, true};
+  scheme.creases = {CreaseRule::Reach::infinite, true, scheme.split};
   scheme.faceRule = halfBoxRule;
   scheme.halfFaces = HalfFaces::ownRows;
   scheme.vertexLimits = VertexLimits::patchCentre;

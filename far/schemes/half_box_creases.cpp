@@ -36,7 +36,7 @@ Scheme clampBricksStep() {
   Scheme scheme;
   scheme.name = "clamp";
   scheme.split = clampBricks();
-  scheme.creases = {CreaseRule::Reach::infinite, scheme.split, true};
+  scheme.creases = {CreaseRule::Reach::infinite, true, scheme.split};
   scheme.pointRow = [](const SourceLevel& parent, const NewPoint& point, Row& row) {
     if (point.kind == PointKind::vertexPoint) {
       row.push_back({parent.topology().vert(point.halfEdge), 1});

@@ -45,8 +45,8 @@ struct CreaseRule {
     any        ///< for any sharpness: the split's cut faces can grow together again
   };
   Reach reach = Reach::none;
+  bool borders = false;  ///< `split` is also the scheme's own: the mesh may have borders beside its creases
   Split split = {};      ///< of meshes that are cut open
-  bool borders = false;  ///< that split is the scheme's own: the mesh may have borders beside its creases
 };
 
 /// A subdivision scheme as a value: which split, and the weights of its few stencil shapes. Made by the functions of
@@ -65,8 +65,8 @@ struct Scheme {
   std::function<void(const SourceLevel& parent, const SplitResult& child, std::int32_t f, Row& row)> centralRow;
   /// The weight of a face's central control vertex in the face's limit position; the rest is its barycentre's.
   std::function<double(std::int32_t sides)> limitCentral;
-  VertexLimits vertexLimits = VertexLimits::childFace;
   CreaseRule creases = {};
+  VertexLimits vertexLimits = VertexLimits::childFace;
   /// Corners of a clamped boundary of more than 180 degrees have a tangent plane.
   bool smoothCorners = false;
   /// The scheme of all steps after this one, which limits are those of; none: this one.

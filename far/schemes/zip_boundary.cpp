@@ -50,7 +50,7 @@ void addZipBoundaryRow(const Topology& parent, const NewPoint& point, double ver
 }
 
 CreaseRule zipCreases(BoundaryRule boundary) {
-  return {CreaseRule::Reach::any, zip(BoundaryRule::brick), boundary == BoundaryRule::brick};
+  return {CreaseRule::Reach::any, boundary == BoundaryRule::brick, zip(BoundaryRule::brick)};
 }
 
 }  // namespace honeycomb::Far
