@@ -56,7 +56,7 @@ Result<void> writeMesh(const BakeCommand& command, const BakeFrames& job, const 
   if (!format) return tl::unexpected(format.error());
   const auto evaluator = job.backend.evaluator(job.refinement, Normals::none);
   if (!evaluator) return tl::unexpected(evaluator.error());
-  const auto primvars = refinePrimvars<float>(job.input, job.refinement, job.central.given, Seams::refine, **evaluator);
+  const auto primvars = refinePrimvars<float>(job.input, job.refinement, job.central.given, **evaluator);
   if (!primvars) return tl::unexpected(inFile(job.input.file, primvars.error()));
   const Far::Topology& topology = job.refinement.last().topology;
   Io::ObjContent<float> content{points, {}, topology.faceOffsets(), topology.vert()};

@@ -6,6 +6,7 @@
 
 #include "apps/cli/choice.h"
 #include "apps/cli/commands.h"
+#include "apps/cli/converted_primvars.h"
 #include "apps/cli/formats.h"
 #include "apps/cli/interrupt.h"
 #include "apps/cli/json_text.h"
@@ -86,10 +87,11 @@ Result<void> checkManifold(const ConvertCommand& command, const Far::Conversion&
                                                   command.to, topology.error().message));
 }
 
-/// The converted mesh and its positions.
+/// The converted mesh and the values of its vertices and corners.
 struct Converted {
   Far::Conversion mesh;
   std::vector<double> positions;
+  ConvertedPrimvars primvars;
 };
 
 Result<Converted> convertMesh(const ConvertCommand& command, const Target& target, const MeshInput& input) {
@@ -100,7 +102,9 @@ Result<Converted> convertMesh(const ConvertCommand& command, const Target& targe
   if (const auto manifold = checkManifold(command, *mesh); !manifold) return tl::unexpected(manifold.error());
   Result<std::vector<double>> positions = Far::apply(*mesh, input.mesh.positions, 3);
   if (!positions) return tl::unexpected(located(input, positions.error()));
-  return Converted{std::move(*mesh), std::move(*positions)};
+  Result<ConvertedPrimvars> primvars = convertPrimvars(input, *topology, *mesh);
+  if (!primvars) return tl::unexpected(located(input, primvars.error()));
+  return Converted{std::move(*mesh), std::move(*positions), std::move(*primvars)};
 }
 
 Result<void> write(const ConvertCommand& command, const Converted& converted) {
@@ -109,14 +113,18 @@ Result<void> write(const ConvertCommand& command, const Converted& converted) {
   const Far::Polygons& polygons = converted.mesh.polygons;
   // checkManifold built a topology of it, so its corners can be counted in 32 bits.
   const std::vector<std::int32_t> faceOffsets(polygons.faceOffsets.begin(), polygons.faceOffsets.end());
+  Io::ObjContent<double> content{converted.positions, {}, faceOffsets, polygons.indices};
+  converted.primvars.values.addTo(content);
   const InterruptScope interruptible;
-  return (*format)->write(command.output,
-                          Io::ObjContent<double>{converted.positions, {}, faceOffsets, polygons.indices});
+  return (*format)->write(command.output, content);
 }
 
 Result<void> printSummary(const ConvertCommand& command, const Session& session, const MeshInput& input,
-                          const Far::Polygons& polygons) {
+                          const Converted& converted) {
+  const Far::Polygons& polygons = converted.mesh.polygons;
+  const bool leftOut = converted.primvars.texcoordsLeftOut;
   if (!session.json) {
+    if (leftOut) printNote(session, fmt::format("{}: without texture coordinates: they have seams", command.output));
     printNote(session, fmt::format("{}: {} vertices, {} faces", command.output, grouped(polygons.vertexCount),
                                    grouped(polygons.faceCount())));
     return {};
@@ -126,7 +134,8 @@ Result<void> printSummary(const ConvertCommand& command, const Session& session,
                                     {"to", command.to},
                                     {"dropped_vertices", input.dropped()},
                                     {"vertices", polygons.vertexCount},
-                                    {"faces", polygons.faceCount()}};
+                                    {"faces", polygons.faceCount()},
+                                    {"texcoords_left_out", leftOut}};
   return printResult(jsonText(json));
 }
 
@@ -142,7 +151,7 @@ Result<void> convert(const ConvertCommand& command, const Session& session) {
   const Result<Converted> converted = convertMesh(command, **target, *input);
   if (!converted) return tl::unexpected(converted.error());
   if (const auto written = write(command, *converted); !written) return written;
-  return printSummary(command, session, *input, converted->mesh.polygons);
+  return printSummary(command, session, *input, *converted);
 }
 
 }  // namespace
@@ -152,7 +161,11 @@ void addConvert(CLI::App& app, Command& command) {
   CLI::App* subcommand = app.add_subcommand("convert", "Make another mesh from a mesh");
   subcommand->add_option("IN", options->input, "Mesh (.obj)")->required();
   subcommand->add_option("OUT", options->output, "Converted mesh (.obj)")->required();
-  subcommand->add_option("--to", options->to, "Conversion: " + names(kTargets))->required();
+  subcommand
+      ->add_option("--to", options->to,
+                   "Conversion: " + names(kTargets) +
+                       " [dual, inverse-dual, bricks: without texture coordinates that have seams]")
+      ->required();
   subcommand->add_option("--ratio", options->ratio,
                          "truncate: where an edge is cut, in parts of it from either end, between 0 and 0.5 [1/3]");
   subcommand->add_option("--rows", options->rows, "bricks: courses a ring of quads, 1 to 1000 [4]");

@@ -31,7 +31,28 @@ Result<std::vector<Real>> refineVertexValues(const MeshInput& input, std::vector
   return std::move(surface.points);
 }
 
-/// u v 0 of each vertex, where no corner says otherwise.
+template <class Real>
+void takePairs(const std::vector<Real>& triples, std::vector<Real>& pairs) {
+  pairs.resize(triples.size() / 3 * 2);
+  for (std::size_t v = 0; v < triples.size() / 3; ++v) std::copy_n(&triples[3 * v], 2, &pairs[2 * v]);
+}
+
+template <class Real>
+Result<void> refineTexcoords(const MeshInput& input, const Far::Refinement& refinement, bool centralPoints,
+                             SurfaceEvaluator& evaluator, Primvars<Real>& primvars) {
+  if (input.mesh.cornerTexcoords.empty()) return {};
+  const std::optional<std::vector<double>> values = texcoordsOfVertices(input.mesh);
+  if (!values) return refineFaceVarying(input.mesh, refinement, primvars);
+  const auto refined = refineVertexValues(input, converted<Real>(*values), centralPoints, evaluator);
+  if (!refined) return tl::unexpected(refined.error());
+  takePairs(*refined, primvars.texcoords);
+  const auto vert = refinement.last().topology.vert();
+  primvars.cornerTexcoords.assign(vert.begin(), vert.end());
+  return {};
+}
+
+}  // namespace
+
 std::optional<std::vector<double>> texcoordsOfVertices(const Io::ObjMesh& mesh) {
   std::vector<double> values(mesh.positions.size());
   std::vector<std::uint8_t> known(at(mesh.polygons.vertexCount));
@@ -47,13 +68,7 @@ std::optional<std::vector<double>> texcoordsOfVertices(const Io::ObjMesh& mesh) 
   return values;
 }
 
-template <class Real>
-void takePairs(const std::vector<Real>& triples, std::vector<Real>& pairs) {
-  pairs.resize(triples.size() / 3 * 2);
-  for (std::size_t v = 0; v < triples.size() / 3; ++v) std::copy_n(&triples[3 * v], 2, &pairs[2 * v]);
-}
-
-/// The values are static and few against a frame's points: the CPU refines them, with the bits of any backend.
+// The values are static and few against a frame's points: the CPU refines them, with the bits of any backend.
 template <class Real>
 Result<void> refineFaceVarying(const Io::ObjMesh& mesh, const Far::Refinement& refinement, Primvars<Real>& primvars) {
   constexpr Osd::BufferDescriptor kPairs{0, 2, 2};
@@ -75,41 +90,23 @@ Result<void> refineFaceVarying(const Io::ObjMesh& mesh, const Far::Refinement& r
   primvars.cornerTexcoords = varying->last().corners;
   return {};
 }
-
-template <class Real>
-Result<void> refineTexcoords(const MeshInput& input, const Far::Refinement& refinement, bool centralPoints, Seams seams,
-                             SurfaceEvaluator& evaluator, Primvars<Real>& primvars) {
-  if (input.mesh.cornerTexcoords.empty()) return {};
-  const std::optional<std::vector<double>> values = texcoordsOfVertices(input.mesh);
-  if (!values) {
-    return seams == Seams::refine ? refineFaceVarying(input.mesh, refinement, primvars) : Result<void>();
-  }
-  const auto refined = refineVertexValues(input, converted<Real>(*values), centralPoints, evaluator);
-  if (!refined) return tl::unexpected(refined.error());
-  takePairs(*refined, primvars.texcoords);
-  const auto vert = refinement.last().topology.vert();
-  primvars.cornerTexcoords.assign(vert.begin(), vert.end());
-  return {};
-}
-
-}  // namespace
+template Result<void> refineFaceVarying(const Io::ObjMesh&, const Far::Refinement&, Primvars<float>&);
+template Result<void> refineFaceVarying(const Io::ObjMesh&, const Far::Refinement&, Primvars<double>&);
 
 template <class Real>
 Result<Primvars<Real>> refinePrimvars(const MeshInput& input, const Far::Refinement& refinement, bool centralPoints,
-                                      Seams seams, SurfaceEvaluator& evaluator) {
+                                      SurfaceEvaluator& evaluator) {
   Primvars<Real> primvars;
   if (!input.mesh.colours.empty()) {
     auto colours = refineVertexValues(input, converted<Real>(input.mesh.colours), centralPoints, evaluator);
     if (!colours) return tl::unexpected(colours.error());
     primvars.colours = std::move(*colours);
   }
-  const auto done = refineTexcoords(input, refinement, centralPoints, seams, evaluator, primvars);
+  const auto done = refineTexcoords(input, refinement, centralPoints, evaluator, primvars);
   if (!done) return tl::unexpected(done.error());
   return primvars;
 }
-template Result<Primvars<float>> refinePrimvars(const MeshInput&, const Far::Refinement&, bool, Seams,
-                                                SurfaceEvaluator&);
-template Result<Primvars<double>> refinePrimvars(const MeshInput&, const Far::Refinement&, bool, Seams,
-                                                 SurfaceEvaluator&);
+template Result<Primvars<float>> refinePrimvars(const MeshInput&, const Far::Refinement&, bool, SurfaceEvaluator&);
+template Result<Primvars<double>> refinePrimvars(const MeshInput&, const Far::Refinement&, bool, SurfaceEvaluator&);
 
 }  // namespace honeycomb::Cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "apps/cli/mesh_input.h"
@@ -26,15 +27,19 @@ struct Primvars {
   }
 };
 
-/// What to do with texture coordinates that have seams: levels that no split made don't tell which face is where.
-enum class Seams { refine, leaveOut };
-
 /// Refines the colours and texture coordinates of a mesh with its tables. Where no vertex has two texture coordinates
 /// they are values of the vertices, as colours are, and go through `evaluator`; else they are face-varying
 /// (Far::FaceVarying). Faces without any, where others have them, are at 0 0. `centralPoints`: the tables read central
 /// control vertices of the control faces too; they have the mean of their face.
 template <class Real>
 Result<Primvars<Real>> refinePrimvars(const MeshInput& input, const Far::Refinement& refinement, bool centralPoints,
-                                      Seams seams, SurfaceEvaluator& evaluator);
+                                      SurfaceEvaluator& evaluator);
+
+/// u v 0 of each vertex, where no corner says otherwise or has none: else nothing, there are seams.
+std::optional<std::vector<double>> texcoordsOfVertices(const Io::ObjMesh& mesh);
+
+/// The texture coordinates of a mesh that has seams, refined on the CPU into those of `primvars`.
+template <class Real>
+Result<void> refineFaceVarying(const Io::ObjMesh& mesh, const Far::Refinement& refinement, Primvars<Real>& primvars);
 
 }  // namespace honeycomb::Cli

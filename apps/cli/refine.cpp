@@ -116,8 +116,7 @@ Result<Refined<Real>> evaluate(const RefineJob& job, const Far::Refinement& refi
   if (done) done = checkFinite<Real>(surface.vertices());
   if (!done) return tl::unexpected(inFile(job.plan.mesh.input.file, done.error()));
   if (job.command.pieces && job.normals == Normals::exact) setNormals(surface);
-  const Seams seams = job.command.pieces ? Seams::leaveOut : Seams::refine;
-  auto primvars = refinePrimvars<Real>(job.plan.mesh.input, refinement, job.central.given, seams, **evaluator);
+  auto primvars = refinePrimvars<Real>(job.plan.mesh.input, refinement, job.central.given, **evaluator);
   if (!primvars) return tl::unexpected(inFile(job.plan.mesh.input.file, primvars.error()));
   return Refined<Real>{std::move(surface), std::move(*primvars)};
 }
@@ -245,8 +244,7 @@ void addRefine(CLI::App& app, Command& command) {
   subcommand->add_option("--tessellate", options->pieces,
                          "Write the exact limit surface of the last level instead, each patch cut into this many "
                          "pieces along its edges, 1 to " +
-                             std::to_string(Far::kMostPieces) +
-                             " [half-box; --levels may be 0; without texture coordinates that have seams]");
+                             std::to_string(Far::kMostPieces) + " [half-box; --levels may be 0]");
   addSessionOptions(*subcommand, command.session);
   subcommand->callback([options, &command] {
     command.action = [options](const Session& session) { return refine(*options, session); };

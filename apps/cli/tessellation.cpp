@@ -57,6 +57,16 @@ Result<Far::LevelTable> makeTable(const Far::PatchTable& patches, const Far::Tes
   return table;
 }
 
+/// The triangles, which come patch by patch, as faces made from the vertices whose patches they cut.
+Far::Topology madeFromVertices(Far::Topology triangles, const Far::PatchTable& patches, std::int32_t pieces) {
+  Far::TopologyArrays arrays = std::move(triangles).arrays();
+  for (Far::FaceRun& run : arrays.runs) run.parent = Far::FaceParent::vertex;
+  Parallel::forEach(0, static_cast<std::int64_t>(arrays.parents.size()), [&](std::int64_t t) {
+    arrays.parents[at(t)] = patches.vertex(arrays.parents[at(t)] / (pieces * pieces));
+  });
+  return Far::Topology(std::move(arrays));
+}
+
 }  // namespace
 
 Result<void> checkTessellation(const ChainRequest& request, const SchemeOptions& options, std::int32_t pieces) {
@@ -100,7 +110,9 @@ Result<Far::Refinement> tessellate(Far::Refinement refinement, std::int32_t piec
                 fmt::format("--tessellate {}: the triangles are no manifold, since faces have several edges in common; "
                             "use 2 or more",
                             pieces));
-  return std::move(refinement).followedBy({std::move(*triangles), std::move(*table), Far::CentralPoints::none});
+  return std::move(refinement)
+      .followedBy(
+          {madeFromVertices(std::move(*triangles), *patches, pieces), std::move(*table), Far::CentralPoints::none});
 }
 
 template <class Real>

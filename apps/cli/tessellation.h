@@ -15,7 +15,8 @@ Result<void> checkTessellation(const ChainRequest& request, const SchemeOptions&
 
 /// The refinement with one more level, which every evaluator applies as it does the others: the limit surface of the
 /// last level, each patch cut into `pieces` x `pieces` triangles. With normals the level's points are [vertices |
-/// derivatives du | derivatives dv]. Errors: invalidMesh, tooLarge past `memory` bytes.
+/// derivatives du | derivatives dv], and its triangles are made from the
+/// vertices whose patches they cut. Errors: invalidMesh, tooLarge past `memory` bytes.
 Result<Far::Refinement> tessellate(Far::Refinement refinement, std::int32_t pieces, Normals normals,
                                    std::int64_t memory);
 

@@ -16,7 +16,8 @@ namespace {
 
 std::vector<Plate> allPlates() {
   std::vector<Plate> plates;
-  for (const auto& some : {aklemanPlates(), configurationPlates(), halfBoxPlates(), zhangWangPlates(), finnPlates()}) {
+  for (const auto& some :
+       {aklemanPlates(), configurationPlates(), halfBoxPlates(), zhangWangPlates(), finnPlates(), texturedPlates()}) {
     plates.insert(plates.end(), some.begin(), some.end());
   }
   return plates;
@@ -46,11 +47,11 @@ Result<void> draw(const Osd::VulkanDevice& device, const Plate& plate, const std
 
 Result<void> writeCaptions(std::span<const Plate> plates, const std::filesystem::path& folder) {
   std::string text =
-      "# Gallery\n\nThe papers' figures, and all schemes on one mesh, drawn by this library. `./gallery` at the root "
-      "of the repository\ndraws them and writes this page. What is drawn follows the papers' texts.\n\nTiles are named "
-      "row by row. Colours tell the sides of faces: triangles amber, quads orange, pentagons red, hexagons\ngreen, "
-      "heptagons blue, all larger ones dark blue. Hexagons of refined meshes are tinted by the control face they "
-      "descend\nfrom, and pale round control vertices.\n";
+      "# Gallery\n\nThe papers' figures, all schemes on one mesh, and a textured character, drawn by this library. "
+      "`./gallery` at the\nroot of the repository draws them and writes this page. What is drawn follows the papers' "
+      "texts.\n\nTiles are named row by row. Colours tell the sides of faces, where there is no texture: triangles "
+      "amber, quads orange,\npentagons red, hexagons green, heptagons blue, all larger ones dark blue. Hexagons of "
+      "refined meshes are tinted by the\ncontrol face they descend from, and pale round control vertices.\n";
   for (const Plate& plate : plates) {
     text += fmt::format("\n## {0}\n\n![{0}]({1})\n\n{2}\n", plate.title, fileName(plate), plate.caption);
   }

@@ -35,6 +35,10 @@ void Model::addFace(std::span<const std::int32_t> loop, Viewer::Rgb colour) {
   colours.push_back(packed(colour));
 }
 
+void Model::setColour(std::int32_t face, Viewer::Rgb colour) {
+  colours[at(face)] = packed(colour);
+}
+
 Result<Surface> refine(const Shape& shape, std::span<const Far::Scheme> chain, bool limits) {
   const auto topology = Far::Topology::create(shape.polygons);
   if (!topology) return tl::unexpected(topology.error());
@@ -50,25 +54,28 @@ Result<Surface> refine(const Shape& shape, std::span<const Far::Scheme> chain, b
   return surface;
 }
 
-Result<Model> refined(const Shape& shape, const Result<std::vector<Far::Scheme>>& chain, Shading shading) {
-  if (!chain) return tl::unexpected(chain.error());
-  const bool smooth = shading == Shading::smooth && !chain->empty();
-  const auto surface = refine(shape, *chain, smooth);
-  if (!surface) return tl::unexpected(surface.error());
-  const Far::Topology& topology = surface->refinement.last().topology;
+Result<Model> modelOf(const Surface& surface, Shading shading) {
+  const Far::Topology& topology = surface.refinement.last().topology;
   Model model;
   model.faceOffsets.assign(topology.faceOffsets().begin(), topology.faceOffsets().end());
   model.corners.assign(topology.vert().begin(), topology.vert().end());
-  model.colours = Viewer::cellColours(surface->refinement, surface->refinement.levelCount());
-  const auto end = surface->points.begin() + 3 * static_cast<std::ptrdiff_t>(topology.vertexCount());
-  model.points.assign(surface->points.begin(), end);
+  model.colours = Viewer::cellColours(surface.refinement, surface.refinement.levelCount());
+  const auto end = surface.points.begin() + 3 * static_cast<std::ptrdiff_t>(topology.vertexCount());
+  model.points.assign(surface.points.begin(), end);
   model.normals = model.points;  // faces shaded by their own normals make no use of these
-  model.faceted = !smooth;
-  if (!smooth) return model;
-  auto normals = vertexNormals(*surface, topology.vertexCount());
+  model.faceted = shading == Shading::faceted;
+  if (model.faceted) return model;
+  auto normals = vertexNormals(surface, topology.vertexCount());
   if (!normals) return tl::unexpected(normals.error());
   model.normals = std::move(*normals);
   return model;
+}
+
+Result<Model> refined(const Shape& shape, const Result<std::vector<Far::Scheme>>& chain, Shading shading) {
+  if (!chain) return tl::unexpected(chain.error());
+  const Shading possible = chain->empty() ? Shading::faceted : shading;
+  const auto surface = refine(shape, *chain, possible == Shading::smooth);
+  return surface ? modelOf(*surface, possible) : tl::unexpected(surface.error());
 }
 
 Result<std::vector<Far::Scheme>> steps(const Result<Far::Scheme>& scheme, std::int32_t levels) {

@@ -25,6 +25,7 @@ struct Model {
   std::int32_t addPoint(glm::vec3 point, glm::vec3 normal);
   /// Counter-clockwise from outside.
   void addFace(std::span<const std::int32_t> loop, Viewer::Rgb colour);
+  void setColour(std::int32_t face, Viewer::Rgb colour);
 };
 
 /// A control mesh under a chain of steps.
@@ -41,6 +42,9 @@ enum class Shading : std::uint8_t {
   smooth,  ///< by the limit normals of the vertices
   faceted
 };
+
+/// The last level of a surface. Faces have the colours of their side counts and origins. Smooth shading needs limits.
+Result<Model> modelOf(const Surface& surface, Shading shading);
 
 /// The last level of the shape under the chain; the shape itself, faceted, where the chain is empty. Faces have the
 /// colours of their side counts and origins. An error of the chain is passed on.

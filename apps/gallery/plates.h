@@ -26,5 +26,7 @@ std::span<const Plate> configurationPlates();
 std::span<const Plate> halfBoxPlates();
 /// Of D. Finn, "Simple Subdivision Methods", and all schemes side by side.
 std::span<const Plate> finnPlates();
+/// Texture coordinates with seams; not from a paper.
+std::span<const Plate> texturedPlates();
 
 }  // namespace honeycomb::Gallery

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "far/base/result.h"
+#include "far/schemes/scheme.h"
 #include "far/topology/polygons.h"
 #include "far/topology/topology.h"
 
@@ -39,6 +41,7 @@ struct Conversion {
   WeightedRows rows;                    ///< one a vertex of the result
   std::vector<FaceSource> faceSources;  ///< one a face of the result
   Correction correction;                ///< empty, but of the inverse dual
+  std::optional<Scheme> step;           ///< this is one step of it (what FaceVarying needs); none: of no scheme
 };
 
 /// The values of the result's vertices, `length` numbers a vertex, from those of the source's: positions (3), uv (2),

@@ -58,6 +58,7 @@ Result<Conversion> schemeStep(const Topology& topology, const Scheme& scheme) {
   if (const auto done = setRows(LevelRows(refinement->last().table), result.rows); !done)
     return tl::unexpected(done.error());
   setPolygons(topology, refinement->last().topology, result);
+  result.step = scheme;
   return result;
 }
 

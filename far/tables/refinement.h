@@ -62,7 +62,8 @@ class Refinement {
   std::vector<Origin> vertexOrigins(std::int32_t k) const;
 
   /// This refinement, without limits, and a last level that is given, such as a tessellation of the limit surface. Its
-  /// table reads the points of the level that was last; its faces have no origins.
+  /// table reads the points of the level that was last; its faces have origins, and face-varying values, if its
+  /// topology's parents are of that level.
   Refinement followedBy(Level level) &&;
 
   std::int64_t byteCount() const;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "far/conversions/conversions.h"
 #include "io/obj.h"
@@ -195,6 +196,104 @@ TEST_F(ConvertTest, RowsCarryAnyPrimvar) {
   ASSERT_TRUE(triangles);
   const std::vector<double> uv{0, 0, 1, 0, 1, 1, 0, 1};
   EXPECT_THAT(*Far::apply(*triangles, uv, 2), testing::ElementsAre(0, 0, 1, 0, 1, 1, 0, 1, 0.5, 0.5));
+}
+
+/// A cube of colours x y z, each side with a chart of its own: the unit square, beside that of the side before.
+std::string chartedCubeObj() {
+  static constexpr std::string_view kSides[] = {"1 4 3 2", "5 6 7 8", "1 2 6 5", "2 3 7 6", "3 4 8 7", "4 1 5 8"};
+  std::string obj, faces;
+  for (const std::string_view v : {"0 0 0", "1 0 0", "1 1 0", "0 1 0", "0 0 1", "1 0 1", "1 1 1", "0 1 1"})
+    obj += "v " + std::string(v) + " " + std::string(v) + "\n";
+  for (int f = 0; f < 6; ++f) {
+    faces += "f";
+    for (int k = 0; k < 4; ++k) {
+      const std::string u = std::to_string(2 * f + (k == 1 || k == 2 ? 1 : 0));
+      obj += "vt " + u + (k < 2 ? " 0\n" : " 1\n");
+      faces += std::string(" ") + kSides[f][2 * static_cast<std::size_t>(k)] + "/" + std::to_string(4 * f + k + 1);
+    }
+    faces += "\n";
+  }
+  return obj + faces;
+}
+
+TEST_F(ConvertTest, ColoursComeAlong) {
+  const std::string cube = file("cube.obj", chartedCubeObj());
+  for (const std::string to : {"dual", "truncate", "triangles", "quads", "hexagonal", "bricks"}) {
+    const Io::ObjMesh mesh = convert(cube, to);
+    ASSERT_EQ(mesh.colours.size(), mesh.positions.size()) << to;
+    for (std::size_t i = 0; i < mesh.colours.size(); ++i) ASSERT_NEAR(mesh.colours[i], mesh.positions[i], 1e-12) << to;
+  }
+}
+
+/// u and v of each corner of face f.
+std::vector<double> faceTexcoords(const Io::ObjMesh& mesh, std::size_t f) {
+  std::vector<double> values;
+  for (auto c = mesh.polygons.faceOffsets[f]; c < mesh.polygons.faceOffsets[f + 1]; ++c) {
+    const auto t = 2 * static_cast<std::ptrdiff_t>(mesh.cornerTexcoords[static_cast<std::size_t>(c)]);
+    values.insert(values.end(), mesh.texcoords.begin() + t, mesh.texcoords.begin() + t + 2);
+  }
+  return values;
+}
+
+TEST_F(ConvertTest, ChartsStayApartWhereFacesAreCut) {
+  const std::string cube = file("cube.obj", chartedCubeObj());
+  const Io::ObjMesh triangles = convert(cube, "triangles");
+  ASSERT_EQ(triangles.cornerTexcoords.size(), 72U);
+  EXPECT_THAT(faceTexcoords(triangles, 0), testing::ElementsAre(0, 0, 1, 0, 0.5, 0.5));
+  EXPECT_THAT(faceTexcoords(triangles, 23), testing::ElementsAre(10, 1, 10, 0, 10.5, 0.5));
+  const Io::ObjMesh quads = convert(cube, "quads");
+  ASSERT_EQ(quads.cornerTexcoords.size(), 48U);
+  EXPECT_THAT(faceTexcoords(quads, 2), testing::ElementsAre(2.5, 0.5, 2, 0, 3, 0, 3, 1));
+}
+
+TEST_F(ConvertTest, ChartsGoOnBeyondTheirSeamWhereCornersAreCut) {
+  const std::string cube = file("cube.obj", chartedCubeObj());
+  convert(cube, "quads");
+  const std::string quads = file("quads.obj", read("out.obj"));
+  for (const auto& [in, to] : {std::pair{cube, "truncate"}, {quads, "hexagonal"}}) {
+    const Io::ObjMesh mesh = convert(in, to);
+    ASSERT_EQ(mesh.cornerTexcoords.size(), mesh.polygons.indices.size()) << to;
+    ASSERT_GE(mesh.polygons.faceCount(), 14) << to;
+    for (std::size_t f = 0; f < static_cast<std::size_t>(mesh.polygons.faceCount()); ++f) {
+      double low = 1e9, high = -1e9;
+      const std::vector<double> values = faceTexcoords(mesh, f);
+      for (std::size_t i = 0; i < values.size(); i += 2) {
+        low = std::min(low, values[i]);
+        high = std::max(high, values[i]);
+      }
+      // Charts begin 2 apart.
+      EXPECT_LT(high - low, 1.2) << to << ", face " << f;
+      EXPECT_GT(high - low, 0.2) << to << ", face " << f;
+    }
+  }
+}
+
+TEST_F(ConvertTest, TextureWithoutSeamsComesAlong) {
+  std::string obj = gridObj(4), corners;
+  for (int i = 0; i < 25; ++i) obj += "vt " + std::to_string(i % 5 * 2) + " " + std::to_string(i / 5 * 3) + "\n";
+  for (const char c : obj.substr(obj.find("f "), obj.find("vt ") - obj.find("f "))) corners += c;
+  const Io::ObjMesh plain = convert(file("plain.obj", gridObj(4)), "dual");
+  EXPECT_TRUE(plain.cornerTexcoords.empty());
+  std::string textured = obj.substr(0, obj.find("f ")) + obj.substr(obj.find("vt "));
+  std::istringstream lines(corners);
+  for (std::string line; std::getline(lines, line); textured += "\n") {
+    std::istringstream numbers(line.substr(2));
+    textured += "f";
+    for (std::string v; numbers >> v;) textured += " " + v + "/" + v;
+  }
+  const Io::ObjMesh dual = convert(file("textured.obj", textured), "dual");
+  EXPECT_EQ(dual.cornerTexcoords, dual.polygons.indices);
+  for (std::size_t v = 0; v < 16; ++v) EXPECT_NEAR(dual.texcoords[2 * v], 8 * dual.positions[3 * v], 1e-12);
+}
+
+TEST_F(ConvertTest, SeamsThatCannotBeFollowedAreLeftOut) {
+  const std::string cube = file("cube.obj", chartedCubeObj());
+  for (const auto& [to, leftOut] : {std::pair{"dual", true}, {"bricks", true}, {"quads", false}}) {
+    const Outcome outcome = run(arguments(cube, to, {"--json"}));
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out).at("texcoords_left_out"), leftOut) << to;
+    EXPECT_EQ(Io::readObj(path("out.obj"))->cornerTexcoords.empty(), leftOut) << to;
+  }
 }
 
 }  // namespace

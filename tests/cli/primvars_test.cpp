@@ -94,6 +94,21 @@ TEST_F(PrimvarsTest, TextureIsNotSmearedAcrossASeam) {
   }
 }
 
+TEST_F(PrimvarsTest, TextureOfATessellationIsNotSmearedAcrossASeam) {
+  for (const std::string normals : {"none", "exact"}) {
+    const std::vector<std::string> options{"--scheme",     "half-box", "--levels",  "1",
+                                           "--tessellate", "3",        "--normals", normals};
+    const Io::ObjMesh mesh = refined(cylinderObj(false, true), options);
+    ASSERT_EQ(mesh.cornerTexcoords.size(), mesh.polygons.indices.size());
+    EXPECT_LT(widestFace(mesh), 0.5 / kAround);
+    // v is z / 3 everywhere, in whatever chart: nothing is off the surface.
+    for (std::size_t c = 0; c < mesh.cornerTexcoords.size(); ++c) {
+      const double v = mesh.texcoords[2 * static_cast<std::size_t>(mesh.cornerTexcoords[c]) + 1];
+      ASSERT_NEAR(v, mesh.position(mesh.polygons.indices[c])[2] / kUp, 1e-5);
+    }
+  }
+}
+
 TEST_F(PrimvarsTest, FacesWithoutTextureCoordinatesAreAtZero) {
   std::string obj = cylinderObj(false, true);
   obj.replace(obj.rfind("f "), std::string::npos, "f 24 17 25 32\n");

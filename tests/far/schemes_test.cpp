@@ -254,6 +254,19 @@ TEST(ZhangWang, RefusesWeightsWithoutATangentPlaneUnlessForced) {
   EXPECT_TRUE(Far::zhangWang(control, 1, options).has_value());
 }
 
+TEST(ZhangWang, RefusesWeightsWithoutATangentPlaneInTheFacesThatEq16MakesOnTheBoundary) {
+  const Far::Topology hexagons = toTopology(readGoldenMesh("honeycomb.obj"));
+  Far::ZhangWangOptions options;
+  options.pull = {Far::CentralPull::Rule::constant, 0.1};  // enough for 6 sides, not for 5
+  options.boundary = Far::BoundaryRule::eq16;
+  const auto refused = Far::zhangWang(hexagons, 1, options);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_NE(refused.error().message.find("faces of 5 sides would have no tangent plane"), std::string::npos)
+      << refused.error().message;
+  options.boundary = Far::BoundaryRule::drop;
+  EXPECT_TRUE(Far::zhangWang(hexagons, 1, options).has_value());
+}
+
 TEST(ZhangWang, ReadsCentralControlVerticesInTheCallersOrderOfFaces) {
   // A pentagonal prism given with its pentagons first: the product sorts quads before them.
   const PolyMesh mesh = prism(5);
