@@ -16,11 +16,20 @@ if(HONEYCOMB_SANITIZE)
   target_link_options(honeycomb_sanitize INTERFACE -fsanitize=${HONEYCOMB_SANITIZE})
 endif()
 
+# The standard headers that nearly every source includes, parsed once; what a source uses it includes all the same.
+# Targets with optimisation flags of their own can't share them.
+add_library(honeycomb_headers STATIC ${PROJECT_SOURCE_DIR}/cmake/headers.cpp)
+target_link_libraries(honeycomb_headers PRIVATE honeycomb_compile honeycomb_sanitize honeycomb_warnings)
+target_precompile_headers(honeycomb_headers PRIVATE
+  <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <numeric> <span> <string> <string_view> <vector>
+  <tl/expected.hpp>)
+
 # honeycomb_library(NAME sources...): the library honeycomb_NAME and its alias honeycomb::NAME.
 function(honeycomb_library name)
   add_library(honeycomb_${name} ${ARGN})
   add_library(honeycomb::${name} ALIAS honeycomb_${name})
   target_link_libraries(honeycomb_${name} PUBLIC honeycomb_compile honeycomb_sanitize PRIVATE honeycomb_warnings)
+  target_precompile_headers(honeycomb_${name} REUSE_FROM honeycomb_headers)
 endfunction()
 
 # honeycomb_program(NAME sources...)
