@@ -1,6 +1,7 @@
 #include "apps/cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <new>
 
 #include "apps/cli/commands.h"
@@ -40,6 +41,16 @@ int finish(const Result<void>& result) {
   return result ? 0 : 1;
 }
 
+/// CLI11 reads an empty text as a number that isn't given, so a script's unset variable would pass unseen.
+void refuseEmptyNumbers(const CLI::App& app) {
+  for (const CLI::App* subcommand : app.get_subcommands())
+    for (const CLI::Option* option : subcommand->get_options()) {
+      const std::vector<std::string>& texts = option->results();
+      if (option->get_type_name() != "TEXT" && std::find(texts.begin(), texts.end(), "") != texts.end())
+        throw CLI::ConversionError("''", option->get_name());
+    }
+}
+
 int parseFailure(const CLI::App& app, const CLI::ParseError& failure) {
   if (failure.get_exit_code() == 0) return app.exit(failure);  // --help, --version
   const std::vector<CLI::App*> chosen = app.get_subcommands();
@@ -59,6 +70,7 @@ int run(int argumentCount, char** arguments) {
   for (const CommandEntry& entry : commands()) entry.add(app, command);
   try {
     app.parse(argumentCount, arguments);
+    refuseEmptyNumbers(app);
   } catch (const CLI::ParseError& failure) {
     return parseFailure(app, failure);
   }

@@ -182,19 +182,22 @@ Result<void> checkRanges(const ZhangWangOptions& o) {
   return checkRange("boundary weight", o.boundaryWeight, 0, 1);
 }
 
-/// The side counts that faces of any level have.
-std::set<std::int32_t> sideCounts(const Topology& control) {
+/// The side counts that whole faces of any level have. Under eq16 a boundary vertex with k > 1 faces gets a face of
+/// 2k + 1 sides, whose boundary points have two faces each.
+std::set<std::int32_t> sideCounts(const Topology& control, BoundaryRule boundary) {
   std::set<std::int32_t> sides{6};
   for (const FaceRun& run : control.runs()) sides.insert(run.sides);
   for (std::int32_t v = 0; v < control.vertexCount(); ++v) {
-    if (!control.onBoundary(v)) sides.insert(2 * control.facesAt(v));
+    const std::int32_t faces = control.facesAt(v);
+    if (!control.onBoundary(v)) sides.insert(2 * faces);
+    if (control.onBoundary(v) && boundary == BoundaryRule::eq16 && faces > 1) sides.insert({5, 2 * faces + 1});
   }
   return sides;
 }
 
 Result<void> checkTangentPlanes(const Topology& control, const ZhangWangOptions& o) {
   if (o.unchecked) return {};
-  for (const std::int32_t n : sideCounts(control)) {
+  for (const std::int32_t n : sideCounts(control, o.boundary)) {
     const double a = o.pull.at(n);
     const double low = o.spread * (1 - std::cos(std::numbers::pi / n));
     const double high = o.spread * (1 + std::cos(std::numbers::pi / n));

@@ -173,7 +173,7 @@ TEST(Defects, EveryKindHasARemedy) {
 
 /// Random damage: whatever the tests' own checker refuses must be refused, and the other way round.
 TEST(Defects, AgreeWithTheTestsOwnCheckerOnDamagedMeshes) {
-  int refused = 0;
+  std::uint64_t refused = 0;
   for (std::uint64_t seed = 0; seed < meshes(400); ++seed) {
     RandomMesh random = randomMesh(seed);
     Random choice(seed);
@@ -200,9 +200,9 @@ TEST(Defects, AgreeWithTheTestsOwnCheckerOnDamagedMeshes) {
     const auto defects = Far::findDefects(toPolygons(random.mesh));
     EXPECT_EQ(defects.empty(), sound) << "seed " << seed << "\n" << listed(defects);
     EXPECT_EQ(Far::Topology::create(toPolygons(random.mesh)).has_value(), sound) << "seed " << seed;
-    refused += sound ? 0 : 1;
+    refused += sound ? 0U : 1U;
   }
-  EXPECT_GT(refused, 200);
+  EXPECT_GT(refused, meshes(400) / 2);
 }
 
 }  // namespace
