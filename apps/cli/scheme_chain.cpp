@@ -92,17 +92,20 @@ std::string boundaryList(std::span<const std::string_view> boundaries) {
   return fmt::format("{}", fmt::join(boundaries, ", "));
 }
 
-/// Each scheme takes the rule that was named if it has it, else its own default; one of them must have it.
+/// Each scheme takes the rule that was named if it has it, else its own default, or brick behind a scheme with brick,
+/// whose cut faces only brick can refine; one of them must have a rule that was named.
 Result<void> chooseBoundaries(ChainRequest& request, const SchemeOptions& options) {
   const std::string named = options.text(kBoundaryOption);
   bool taken = !options.given(kBoundaryOption);
   std::string choices;
+  bool cut = false;
   for (ChainPart& part : request.parts) {
     const auto boundaries = part.scheme->boundaries;
     if (boundaries.empty()) continue;
-    const bool has = std::find(boundaries.begin(), boundaries.end(), named) != boundaries.end();
-    part.boundary =
-        has ? std::string_view(*std::find(boundaries.begin(), boundaries.end(), named)) : boundaries.front();
+    const auto find = [&](std::string_view rule) { return std::find(boundaries.begin(), boundaries.end(), rule); };
+    const bool has = options.given(kBoundaryOption) && find(named) != boundaries.end();
+    part.boundary = has ? *find(named) : cut && find("brick") != boundaries.end() ? "brick" : boundaries.front();
+    cut = part.boundary == "brick";
     taken = taken || has;
     choices += fmt::format("{}{} has {}", choices.empty() ? "" : "; ", part.scheme->name, boundaryList(boundaries));
   }

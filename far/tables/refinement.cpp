@@ -58,6 +58,17 @@ std::int64_t levelBytes(const Census& census, std::int64_t weights, const Scheme
   return topology + tags + table + kWeight * weights;
 }
 
+/// What making a level takes besides it, a half-edge: the closed form of zip keeps one number, other splits the slots,
+/// the order of their candidates and where each went. Rows that no circulant makes are computed in pieces and joined.
+std::int64_t scratchBytes(const Census& census, const Scheme* scheme) {
+  constexpr std::int64_t kClosedForm = 4, kSlots = 20, kRowEntry = 2 * (sizeof(std::int32_t) + sizeof(double));
+  if (scheme == nullptr) return 0;
+  const bool closedForm = census.boundaryEdges == 0 && scheme->split.name == "zip";
+  const std::int64_t rows =
+      scheme->entriesPerVertex > 1 ? kRowEntry * scheme->entriesPerVertex * census.vertices : std::int64_t{0};
+  return (closedForm ? kClosedForm : kSlots) * census.halfEdges + rows;
+}
+
 /// `scheme`: that of the level's table, which has that many weights; none at level 0.
 LevelCounts counts(const Census& census, std::int64_t weights, const Scheme* scheme) {
   LevelCounts c;
@@ -68,6 +79,7 @@ LevelCounts counts(const Census& census, std::int64_t weights, const Scheme* sch
   c.boundaryEdges = census.boundaryEdges;
   c.points = census.vertices + (scheme != nullptr && scheme->centralPoints ? census.faces : 0);
   c.bytes = levelBytes(census, weights, scheme);
+  c.scratch = scratchBytes(census, scheme);
   c.exact = census.exact;
   return c;
 }
@@ -155,13 +167,13 @@ std::vector<LevelCounts> predict(const Topology& control, std::span<const Scheme
 }
 
 BuildBytes buildBytes(std::span<const LevelCounts> levels, bool limits) {
-  // What a split keeps beside its result, and the rows of the limits, a half-edge.
-  constexpr std::int64_t kSplitScratch = 4, kLimitRows = 12;
+  constexpr std::int64_t kLimitRows = 12;  // of the limits, a half-edge
   BuildBytes bytes;
-  for (const LevelCounts& level : levels) bytes.tables += level.bytes;
-  const std::int64_t halfEdges = levels.empty() ? 0 : levels.back().halfEdges;
-  if (limits) bytes.tables += kLimitRows * halfEdges;
-  bytes.scratch = kSplitScratch * halfEdges;
+  for (const LevelCounts& level : levels) {
+    bytes.tables += level.bytes;
+    bytes.scratch = std::max(bytes.scratch, level.scratch);
+  }
+  if (limits && !levels.empty()) bytes.tables += kLimitRows * levels.back().halfEdges;
   return bytes;
 }
 

@@ -86,8 +86,9 @@ constexpr std::int32_t kMaxLevels = 20;
 /// What a level will have, known before anything is built.
 struct LevelCounts {
   std::int64_t vertices = 0, edges = 0, faces = 0, halfEdges = 0, boundaryEdges = 0;
-  std::int64_t points = 0;  ///< vertices, and central control vertices where the step to this level makes them
-  std::int64_t bytes = 0;   ///< topology and table of this level
+  std::int64_t points = 0;   ///< vertices, and central control vertices where the step to this level makes them
+  std::int64_t scratch = 0;  ///< bytes that building this level takes for a while, about
+  std::int64_t bytes = 0;    ///< topology and table of this level
   bool exact = true;  ///< false: an upper bound (the erosion of `drop` and `eq16` depends on the boundary's shape)
 };
 /// Counts of levels 0..perLevel.size(), without building any.

@@ -136,6 +136,9 @@ TEST_F(SchemeTest, AChainRefinesByOnePartAfterTheOther) {
             refine(in, {"--scheme", "akleman:1,half-box:1", "--boundary", "brick"}));
   EXPECT_NE(refine(in, {"--scheme", "akleman:1,half-box:1", "--boundary", "drop"}),
             refine(in, {"--scheme", "akleman:1,half-box:1"}));
+  // Faces that brick has cut in half are brick's to refine, whatever the scheme's own default.
+  EXPECT_EQ(refine(in, {"--scheme", "akleman:1,zhang-wang:1"}),
+            refine(in, {"--scheme", "akleman:1,zhang-wang:1", "--boundary", "brick"}));
 }
 
 TEST_F(SchemeTest, ConversionsAreStepsButNoLevels) {

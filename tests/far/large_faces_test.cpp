@@ -8,7 +8,7 @@
 namespace honeycomb::Test {
 namespace {
 
-constexpr std::size_t kSides = 100000;
+constexpr std::size_t kSides = meshes(100000);
 
 /// Both precisions of the last level, compared, and the double points.
 std::vector<Vec3> pointsInBothPrecisions(const Far::Refinement& refinement, const std::vector<Vec3>& control) {

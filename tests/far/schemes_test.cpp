@@ -22,7 +22,7 @@
 namespace honeycomb::Test {
 namespace {
 
-constexpr std::uint64_t kMeshes = 12;
+constexpr std::uint64_t kMeshes = meshes(12);
 
 /// The chain of a listed scheme on a random mesh; where the scheme refuses vertices with two edges and there are some,
 /// behind a step of honeycomb subdivision, which a chain may start with.
