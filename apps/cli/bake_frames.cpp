@@ -50,7 +50,7 @@ Result<std::span<const float>> controlPoints(const BakeFrames& job, std::int32_t
   takeVertices(job.input, *points, control);
   if (!job.central.given) return control;
   if (!job.central.cache) {
-    appendOffsetPoints(job.input.mesh.polygons, job.central.offset, control);
+    appendOffsetPoints(job.input.mesh.polygons, job.central.offsets, control);
     return control;
   }
   const Result<std::span<const float>> central = job.central.cache->frame(f);

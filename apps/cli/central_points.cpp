@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
 #include "apps/cli/schemes.h"
@@ -29,13 +30,49 @@ tl::unexpected<Error> anotherCount(const std::string& file, std::int64_t count, 
                   file, count, input.file, input.mesh.polygons.faceCount()));
 }
 
-/// What both commands have: no file.
-Result<CentralPoints> readOffset(const SchemeOptions& options) {
+/// One number a line; empty lines at the end are passed over.
+Result<std::vector<double>> readOffsetFile(const std::string& file, const MeshInput& input) {
+  const auto unreadable = [&file] {
+    return fail(ErrorCode::unreadable,
+                fmt::format("--ccv-offset {}: is neither a number nor a file that can be read", file));
+  };
+  std::ifstream stream(file);
+  if (!stream) return unreadable();
+  std::vector<double> offsets;
+  std::int64_t number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+    if (line.empty()) continue;
+    const std::optional<double> offset = parseNumber(line);
+    if (!offset || !std::isfinite(*offset))
+      return fail(ErrorCode::invalidFile,
+                  fmt::format("{}:{}: give one finite number, the offset of a face", file, number), number);
+    offsets.push_back(*offset);
+  }
+  if (stream.bad()) return unreadable();  // a folder
+  if (static_cast<std::int64_t>(offsets.size()) != input.mesh.polygons.faceCount())
+    return fail(ErrorCode::invalidFile, fmt::format("{}: has {} offsets, but {} has {} faces; give one a face, in the "
+                                                    "order of the f lines",
+                                                    file, offsets.size(), input.file, input.mesh.polygons.faceCount()));
+  return offsets;
+}
+
+/// What both commands have: a number, or one a face.
+Result<CentralPoints> readOffset(const SchemeOptions& options, const MeshInput& input) {
   CentralPoints central;
-  central.offset = options.number(kCentralOffsetOption).value_or(0);
-  if (!std::isfinite(central.offset))
-    return fail(ErrorCode::invalidOption, fmt::format("--ccv-offset {}: give a finite number", central.offset));
-  central.given = central.offset != 0;
+  const std::string text = options.text(kCentralOffsetOption);
+  if (const std::optional<double> offset = parseNumber(text)) {
+    if (!std::isfinite(*offset))
+      return fail(ErrorCode::invalidOption, fmt::format("--ccv-offset {}: give a finite number", *offset));
+    central.offsets = {*offset};
+    central.given = *offset != 0;
+    return central;
+  }
+  Result<std::vector<double>> offsets = readOffsetFile(text, input);
+  if (!offsets) return tl::unexpected(offsets.error());
+  central.offsets = std::move(*offsets);
+  central.given = true;
   return central;
 }
 
@@ -67,8 +104,8 @@ Vector offsetPoint(std::span<const std::int32_t> face, double offset, const Real
 }  // namespace
 
 Result<CentralPoints> readCentralPoints(const SchemeOptions& options, const MeshInput& input) {
-  if (!options.given(kCentralFileOption)) return readOffset(options);
-  CentralPoints central{true, 0, options.text(kCentralFileOption), {}, {}};
+  if (!options.given(kCentralFileOption)) return readOffset(options, input);
+  CentralPoints central{true, {}, options.text(kCentralFileOption), {}, {}};
   if (isCache(central.file))
     return fail(
         ErrorCode::invalidOption,
@@ -81,8 +118,8 @@ Result<CentralPoints> readCentralPoints(const SchemeOptions& options, const Mesh
 }
 
 Result<CentralPoints> readCentralCache(const SchemeOptions& options, const MeshInput& input, std::int32_t frameCount) {
-  if (!options.given(kCentralFileOption)) return readOffset(options);
-  CentralPoints central{true, 0, options.text(kCentralFileOption), {}, {}};
+  if (!options.given(kCentralFileOption)) return readOffset(options, input);
+  CentralPoints central{true, {}, options.text(kCentralFileOption), {}, {}};
   if (!isCache(central.file))
     return fail(ErrorCode::invalidOption,
                 fmt::format("--ccv {}: holds one pose, but the mesh moves; give a .pc2 with a point a face and as many "
@@ -101,17 +138,18 @@ Result<CentralPoints> readCentralCache(const SchemeOptions& options, const MeshI
 }
 
 template <class Real>
-void appendOffsetPoints(const Far::Polygons& polygons, double offset, std::vector<Real>& points) {
+void appendOffsetPoints(const Far::Polygons& polygons, std::span<const double> offsets, std::vector<Real>& points) {
   const std::size_t vertices = points.size();
   points.resize(vertices + 3 * at(polygons.faceCount()));
   Parallel::forEach(0, polygons.faceCount(), [&](std::int64_t f) {
     const std::size_t first = at(polygons.faceOffsets[at(f)]);
     const auto face = std::span(polygons.indices).subspan(first, at(polygons.faceOffsets[at(f) + 1]) - first);
+    const double offset = offsets[offsets.size() == 1 ? 0 : at(f)];
     const Vector point = offsetPoint(face, offset, points.data());
     for (std::size_t axis = 0; axis < 3; ++axis) points[vertices + 3 * at(f) + axis] = static_cast<Real>(point[axis]);
   });
 }
-template void appendOffsetPoints(const Far::Polygons&, double, std::vector<float>&);
-template void appendOffsetPoints(const Far::Polygons&, double, std::vector<double>&);
+template void appendOffsetPoints(const Far::Polygons&, std::span<const double>, std::vector<float>&);
+template void appendOffsetPoints(const Far::Polygons&, std::span<const double>, std::vector<double>&);
 
 }  // namespace honeycomb::Cli

@@ -1,6 +1,7 @@
 #include "apps/cli/primvars.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -23,7 +24,7 @@ std::vector<Real> converted(const std::vector<double>& values) {
 template <class Real>
 Result<std::vector<Real>> refineVertexValues(const MeshInput& input, std::vector<Real> values, bool centralPoints,
                                              SurfaceEvaluator& evaluator) {
-  if (centralPoints) appendOffsetPoints(input.mesh.polygons, 0, values);
+  if (centralPoints) appendOffsetPoints(input.mesh.polygons, std::array{0.0}, values);
   Surface<Real> surface;
   const Result<void> done = evaluator.evaluate(std::span<const Real>(values), surface);
   if (!done) return tl::unexpected(done.error());

@@ -65,7 +65,7 @@ Result<std::vector<Real>> controlPoints(const MeshInput& input, const CentralPoi
                             input.mesh.vertexLines[at(v)], input.fileVertex(v) + 1));
   if (!central.given) return points;
   if (central.file.empty()) {
-    appendOffsetPoints(input.mesh.polygons, central.offset, points);
+    appendOffsetPoints(input.mesh.polygons, central.offsets, points);
     return points;
   }
   points.insert(points.end(), central.positions.begin(), central.positions.end());

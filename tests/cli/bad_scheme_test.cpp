@@ -74,14 +74,20 @@ TEST_F(BadSchemeTest, CentralControlVerticesThatDontFitTheMeshAreRefused) {
   };
   Options both = central("six.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nv 0 0 0\nv 0 0 0\nv 0 0 0\n");
   both.insert(both.end(), {"--ccv-offset", "1"});
-  expectRefused(file("cube.obj", cubeObj()),
-                {{central("few.obj", "v 0 0 0\nv 1 1 1\n"), {"few.obj: has 2 points", "cube.obj has 6 faces"}},
-                 {central("text.obj", "\nv 0 0 x\n"), {"text.obj:2: "}},
-                 {central("nan.obj", "v 0 nan 0\n"), {"nan.obj:1: point 1"}},
-                 {central("none.obj", "# nothing\n"), {"none.obj: has no points"}},
-                 {central("walk.pc2", "POINTCACHE2"), {"--ccv", "walk.pc2", "one pose"}},
-                 {{"--scheme", "zhang-wang", "--ccv", path("missing.obj")}, {"missing.obj"}},
-                 {both, {"--ccv-offset", "--ccv already"}}});
+  expectRefused(
+      file("cube.obj", cubeObj()),
+      {{central("few.obj", "v 0 0 0\nv 1 1 1\n"), {"few.obj: has 2 points", "cube.obj has 6 faces"}},
+       {central("text.obj", "\nv 0 0 x\n"), {"text.obj:2: "}},
+       {central("nan.obj", "v 0 nan 0\n"), {"nan.obj:1: point 1"}},
+       {central("none.obj", "# nothing\n"), {"none.obj: has no points"}},
+       {central("walk.pc2", "POINTCACHE2"), {"--ccv", "walk.pc2", "one pose"}},
+       {{"--scheme", "zhang-wang", "--ccv", path("missing.obj")}, {"missing.obj"}},
+       {both, {"--ccv-offset", "--ccv already"}},
+       {{"--scheme", "zhang-wang", "--ccv-offset", path("far")}, {"--ccv-offset", "far: is neither a number nor"}},
+       {{"--scheme", "zhang-wang", "--ccv-offset", file("few.txt", "1\n2\n")},
+        {"few.txt: has 2 offsets", "cube.obj has 6 faces"}},
+       {{"--scheme", "zhang-wang", "--ccv-offset", file("bad.txt", "1\n2x\n")},
+        {"bad.txt:2: give one finite number"}}});
 }
 
 TEST_F(BadSchemeTest, VerticesThatASchemeCantTakeAreNamedAsInTheFile) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "io/obj.h"
 #include "workplace.h"
@@ -196,6 +197,16 @@ TEST_F(SchemeTest, CentralControlVerticesComeFromAFileInTheOrderOfTheFaces) {
   EXPECT_LT(distance(fromFile, with(in, "--ccv-offset", "0.25")), 1e-5);
   EXPECT_GT(distance(fromFile, with(in, "--ccv-offset", "0.24")), 1e-3);
   EXPECT_LT(distance(with(in, "--ccv", file("middles.obj", liftedCentres(0))), refinedPoints(in, base)), 1e-5);
+  // An offset a face, from a file.
+  std::string same, other;
+  std::istringstream lines(houseObj());
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("f ")) continue;
+    other += same.empty() ? "0.25\n" : "-0.25\r\n";
+    same += "0.25\n";
+  }
+  EXPECT_EQ(with(in, "--ccv-offset", file("same.txt", same)), with(in, "--ccv-offset", "0.25"));
+  EXPECT_GT(distance(with(in, "--ccv-offset", file("other.txt", other)), with(in, "--ccv-offset", "0.25")), 1e-2);
   // Dropped vertices leave the faces' order as it is.
   const std::string loose = file("loose.obj", houseObj() + "v 9 9 9\n");
   EXPECT_EQ(with(loose, "--ccv", centres), fromFile);

@@ -10,9 +10,10 @@ namespace honeycomb::Cli {
 const SchemeOption kCentralFileOption{
     "--ccv", SchemeOption::Kind::text, "",
     "Central control vertices, one a face in file order: the v lines of an OBJ, for bake a PC2 (default: barycentres)"};
-const SchemeOption kCentralOffsetOption{"--ccv-offset", SchemeOption::Kind::number, "0",
+const SchemeOption kCentralOffsetOption{"--ccv-offset", SchemeOption::Kind::text, "0",
                                         "Central control vertices at this distance from the barycentres, along the "
-                                        "normals of the faces, in units of the mesh"};
+                                        "normals of the faces, in units of the mesh: a number, or a file with one a "
+                                        "face, each on a line, in file order"};
 
 namespace {
 
