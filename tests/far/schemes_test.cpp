@@ -196,6 +196,47 @@ TEST(Schemes, ContractFacesByTheirSubdominantEigenvalue) {
   }
 }
 
+/// Calls body(sides, first row) for a face of each side count that level 1 of a listed scheme has.
+template <class Body>
+void forFaceMatrices(const std::string& name, const PolyMesh& mesh, const Body& body) {
+  for (const ListedScheme& scheme : listedSchemes()) {
+    if (scheme.name != name) continue;
+    const Far::Refinement refinement = refinedBy(scheme, toTopology(mesh), 2);
+    const std::int32_t last = refinement.levelCount();
+    for (const Far::FaceRun& run : refinement.level(last - 1).topology.runs()) {
+      body(run.sides, faceRow(refinement, last, run.firstFace));
+    }
+  }
+}
+
+TEST(Schemes, HaveTheSpectraOfTheirFaceMatrices) {
+  int matrices = 0;
+  for (const std::size_t n : {3U, 4U, 5U, 7U, 8U, 11U}) {
+    // lambda_j = (a + (N-5) q)((1-t) + t w^j) for j = 1, N-1, (a - 5 q)(..) otherwise, q = (1-a)/(3N-5), t = 1/2.
+    forFaceMatrices("akleman brick", prism(n), [&](std::int32_t sides, const std::vector<double>& row) {
+      const double a = 0.45 + 1.25 / sides, q = (1 - a) / (3 * sides - 5);
+      for (int j = 1; j < sides; ++j) {
+        const double hat = j == 1 || j == sides - 1 ? a + (sides - 5) * q : a - 5 * q;
+        EXPECT_NEAR(eigenvalue(row, j), std::abs(hat * std::cos(std::numbers::pi * j / sides)), 1e-14) << sides;
+      }
+      ++matrices;
+    });
+    // 1/2, 1/2 and 1/4, of hexagons also the ineffective 1/2 in the block j = 3.
+    forFaceMatrices("half-box", prism(n), [&](std::int32_t sides, const std::vector<double>& row) {
+      for (int j = 1; j < sides; ++j) {
+        const bool half = j == 1 || j == sides - 1 || (sides == 6 && j == 3);
+        EXPECT_NEAR(eigenvalue(row, j), half ? 0.5 : 0.25, 1e-14) << sides << ", j = " << j;
+      }
+      ++matrices;
+    });
+    forFaceMatrices("centroid", prism(n), [&](std::int32_t sides, const std::vector<double>& row) {
+      for (int j = 1; j < sides; ++j) EXPECT_NEAR(eigenvalue(row, j), 0.5, 1e-14) << sides;
+      ++matrices;
+    });
+  }
+  EXPECT_GE(matrices, 36);
+}
+
 TEST(ZhangWang, HasTheSpectrumOfEquation9) {
   // One step on [corners | central]: 1 and b - a (the central vertex and the mean), b (1 + w^j)/2 otherwise.
   const Far::ZhangWangOptions options;
