@@ -1,4 +1,5 @@
 honeycomb_test(osd_tests
+  SHARDS 4
   LABELS threads
   SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/buffer_errors_test.cpp
