@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 
 #include "apps/cli/console.h"
@@ -10,6 +9,7 @@
 #include "far/base/index.h"
 #include "far/base/parallel.h"
 #include "far/tables/patch_table.h"
+#include "osd/cpu_kernels.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -122,16 +122,8 @@ void setNormals(Surface<Real>& surface) {
   const Real* du = surface.points.data() + size;
   const Real* dv = du + size;
   Parallel::forEach(0, surface.vertexCount, [&](std::int64_t v) {
-    const std::size_t x = 3 * at(v), y = x + 1, z = x + 2;
-    const Real nx = du[y] * dv[z] - du[z] * dv[y];
-    const Real ny = du[z] * dv[x] - du[x] * dv[z];
-    const Real nz = du[x] * dv[y] - du[y] * dv[x];
-    const Real square = nx * nx + ny * ny + nz * nz;
-    const bool proper = square >= std::numeric_limits<Real>::min() && std::isfinite(square);
-    const Real scale = proper ? 1 / std::sqrt(square) : 0;
-    surface.normals[x] = nx * scale;
-    surface.normals[y] = ny * scale;
-    surface.normals[z] = nz * scale;
+    const auto normal = Osd::Kernels::unitNormal(Osd::Kernels::load<3>(du + 3 * v), Osd::Kernels::load<3>(dv + 3 * v));
+    Osd::Kernels::store(normal, surface.normals.data() + 3 * v);
   });
 }
 template void setNormals(Surface<float>&);

@@ -76,13 +76,10 @@ struct Column {
 
 /// D (p - A d) at a vertex: the sum over its triangles of how far their points lie off it.
 double offset(const Interpolation& mesh, const Column& column, std::int32_t v) {
-  const std::int32_t first = mesh.topology.outgoing(v);
   double sum = 0;
-  std::int32_t h = first;
-  do {
+  for (const std::int32_t h : mesh.topology.halfEdgesFrom(v)) {
     sum += column.value(v) - column.point(mesh.centreOf[at(mesh.topology.face(h))]);
-    h = mesh.topology.nextOutgoing(h);
-  } while (h != first);
+  }
   return sum;
 }
 

@@ -59,7 +59,7 @@ class Colouring {
   std::vector<std::pair<std::int32_t, std::int8_t>> vertices() const {
     std::vector<std::pair<std::int32_t, std::int8_t>> result;
     for (const std::int32_t f : queue_)
-      for (std::int32_t h = topology_.faceOffsets()[at(f)]; h < topology_.faceOffsets()[at(f) + 1]; ++h)
+      for (const std::int32_t h : topology_.halfEdgesOf(f))
         if (topology_.outgoing(topology_.vert(h)) == h)
           result.emplace_back(topology_.vert(h), same_[at(colour_[at(h)])]);
     std::sort(result.begin(), result.end());

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include "far/base/result.h"
@@ -38,7 +37,7 @@ struct HalfBoxOptions {
   HalfBoxTuning tuning = HalfBoxTuning::none;
   /// b_n: the weight of a vertex on itself beside one extraordinary face of n sides and two hexagons, in [1/6, 1/2];
   /// side counts that are not named have 1/4. The paper's.
-  std::map<std::int32_t, double> tunedWeights = {{3, 0.45}, {4, 0.35}};
+  TunedWeights tunedWeights = {{3, 0.45}, {4, 0.35}};
   HalfBoxConversion conversion = HalfBoxConversion::automatic;
   HalfBoxBoundary boundary = HalfBoxBoundary::natural;
   HalfBoxCorners corners = HalfBoxCorners::convex;  ///< of a clamped boundary

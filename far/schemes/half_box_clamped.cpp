@@ -130,17 +130,13 @@ void addCornerRow(const ClampedFace& face, std::int32_t i, HalfBoxCorners corner
 
 /// S2 of the inside vertex that h leaves. Beside an edge to L of a gap follows, counter-clockwise, that to its R.
 void addInsideVertexRow(const Topology& topology, std::int32_t first, const TunedWeights& tuned, Row& row) {
+  const Topology::OutgoingHalfEdges around(topology, first);
   std::int32_t gaps = 0;
-  std::int32_t h = first;
-  do {
+  for (const std::int32_t h : around) {
     if (topology.run(topology.face(h)).kind == FaceKind::clampedGap) ++gaps;
-    h = topology.nextOutgoing(h);
-  } while (h != first);
+  }
   if (gaps == 0) return addHalfBoxVertexRow(topology, first, tuned, row);
-  do {
-    row.push_back({topology.dest(h), 1.0 / (3 + gaps)});
-    h = topology.nextOutgoing(h);
-  } while (h != first);
+  for (const std::int32_t h : around) row.push_back({topology.dest(h), 1.0 / (3 + gaps)});
 }
 
 void addClampedRow(const SourceLevel& parent, const NewPoint& point, const TunedWeights& tuned, HalfBoxCorners corners,

@@ -8,25 +8,18 @@ namespace honeycomb::Far {
 
 namespace {
 
-/// The neighbours of a vertex with three edges, and how many sides the face between each and the next has; 0 outside
-/// and for faces that a clamped boundary ends.
+/// The neighbours of a vertex with three edges, and the faces between each and the next; -1 outside.
 struct Star {
   std::array<std::int32_t, 3> neighbours{};
-  std::array<std::int32_t, 3> sides{};
+  std::array<std::int32_t, 3> faces{-1, -1, -1};
 };
-
-std::int32_t sidesOf(const Topology& topology, std::int32_t f) {
-  const FaceRun& run = topology.run(f);
-  const bool clamped = run.kind == FaceKind::clampedSide || run.kind == FaceKind::clampedCorner;
-  return clamped ? 0 : run.sides;
-}
 
 Star starOf(const Topology& topology, std::int32_t first) {
   Star star;
   std::int32_t h = first;
   for (std::size_t i = 0; i < 3; ++i) {
     star.neighbours[i] = topology.dest(h);
-    star.sides[i] = sidesOf(topology, topology.face(h));
+    star.faces[i] = topology.face(h);
     const std::int32_t p = topology.prev(h);
     h = topology.twin(p);
     if (h >= 0) continue;
@@ -34,6 +27,14 @@ Star starOf(const Topology& topology, std::int32_t first) {
     break;
   }
   return star;
+}
+
+/// The weight of a vertex beside a face, where it is tuned: not by faces that a clamped boundary ends.
+TunedWeights::const_iterator tunedBeside(const Topology& topology, std::int32_t f, const TunedWeights& tuned) {
+  if (f < 0 || tuned.empty()) return tuned.end();
+  const FaceRun& run = topology.run(f);
+  const bool clamped = run.kind == FaceKind::clampedSide || run.kind == FaceKind::clampedCorner;
+  return clamped ? tuned.end() : tuned.find(run.sides);
 }
 
 }  // namespace
@@ -52,7 +53,7 @@ void addHalfBoxVertexRow(const Topology& topology, std::int32_t h, const TunedWe
   double centre = 0.25;
   std::array<double, 3> around{0.25, 0.25, 0.25};
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto weight = tuned.find(star.sides[i]);
+    const auto weight = tunedBeside(topology, star.faces[i], tuned);
     if (weight == tuned.end()) continue;
     const double more = weight->second - 0.25;
     centre += more;

@@ -9,7 +9,7 @@ namespace honeycomb::Far {
 
 void SourceLevel::addBarycentre(std::int32_t f, double weight, Row& row) const {
   const double share = weight / topology_.sides(f);
-  for (std::int32_t h = topology_.faceOffsets()[at(f)]; h < topology_.faceOffsets()[at(f) + 1]; ++h) {
+  for (const std::int32_t h : topology_.halfEdgesOf(f)) {
     row.push_back({topology_.vert(h), share});
   }
 }

@@ -89,15 +89,12 @@ class Weights {
     const double alpha = o_.vertexPull * (o_.alpha ? *o_.alpha / neighbours : same);
     const double beta = o_.vertexPull * (o_.alpha ? (1 - *o_.alpha) / faces : same);
     row.push_back({v, 1 - o_.vertexPull});
-    const std::int32_t first = topology.outgoing(v);
-    std::int32_t h = first;
-    do {
+    for (const std::int32_t h : topology.halfEdgesFrom(v)) {
       row.push_back({topology.dest(h), alpha});
       addFaceCentral(parent, topology.face(h), beta, row);
       const std::int32_t p = topology.prev(h);
-      h = topology.twin(p);
-      if (h < 0) row.push_back({topology.vert(p), alpha});
-    } while (h >= 0 && h != first);
+      if (topology.twin(p) < 0) row.push_back({topology.vert(p), alpha});
+    }
   }
 
   /// The central control vertex for which the face's limit, ((1-b) q + a p)/(1 + a - b), is v (eq 15).

@@ -62,18 +62,15 @@ bool Charts::isSeam(std::int32_t h) const {
 void Charts::findSeams() {
   std::vector<std::uint8_t> atVertex(at(topology_.vertexCount()));
   Parallel::forEach(0, topology_.vertexCount(), [&](std::int64_t v) {
-    const std::int32_t first = topology_.outgoing(static_cast<std::int32_t>(v));
-    std::int32_t h = first;
-    do {
+    for (const std::int32_t h : topology_.halfEdgesFrom(static_cast<std::int32_t>(v))) {
       if (isSeam(h) || isSeam(topology_.prev(h))) atVertex[at(v)] = 1;
-      h = topology_.nextOutgoing(h);
-    } while (h >= 0 && h != first);
+    }
   });
   seams_ = std::find(atVertex.begin(), atVertex.end(), std::uint8_t{1}) != atVertex.end();
   if (!seams_) return;
   touched_.assign(at(topology_.faceCount()), 0);
   Parallel::forEach(0, topology_.faceCount(), [&](std::int64_t f) {
-    for (std::int32_t h = topology_.faceOffsets()[at(f)]; h < topology_.faceOffsets()[at(f) + 1]; ++h) {
+    for (const std::int32_t h : topology_.halfEdgesOf(static_cast<std::int32_t>(f))) {
       if (atVertex[at(topology_.vert(h))] != 0) touched_[at(f)] = 1;
     }
   });

@@ -162,13 +162,10 @@ void addFace(LimitFrame& frame, const Topology& topology, std::int32_t h, const 
 /// A neighbour w at two gaps has (v + sum (R + L))/5 as its S2; the images would make it (v + sum (R + L) - w)/4.
 void addTwoGapCorrection(LimitFrame& frame, const Topology& topology, std::int32_t v, std::int32_t w,
                          const PointWeights& weights) {
-  const std::int32_t first = topology.outgoing(w);
   std::vector<std::int32_t> boundary;
-  std::int32_t h = first;
-  do {
+  for (const std::int32_t h : topology.halfEdgesFrom(w)) {
     if (topology.onBoundary(topology.dest(h))) boundary.push_back(topology.dest(h));
-    h = topology.nextOutgoing(h);
-  } while (h != first);
+  }
   if (boundary.size() < 4) return;
   for (const std::int32_t point : boundary) add(frame, point, -1.0 / 20 * weights);
   add(frame, v, -1.0 / 20 * weights);
@@ -191,12 +188,9 @@ bool onClampedBoundary(const Topology& topology, std::int32_t v) {
 
 bool besideClampedBoundary(const Topology& topology, std::int32_t v) {
   if (topology.onBoundary(v)) return false;
-  const std::int32_t first = topology.outgoing(v);
-  std::int32_t h = first;
-  do {
+  for (const std::int32_t h : topology.halfEdgesFrom(v)) {
     if (isClamped(topology.run(topology.face(h)).kind)) return true;
-    h = topology.nextOutgoing(h);
-  } while (h != first);
+  }
   return false;
 }
 

@@ -259,7 +259,7 @@ class LevelBuilder {
     }
     // Central control vertices of level 0 have no value of their own: the barycentre's is theirs.
     bool whole = true;
-    for (std::int32_t h = old_.faceOffsets()[at(f)]; h < old_.faceOffsets()[at(f) + 1]; ++h) {
+    for (const std::int32_t h : old_.halfEdgesOf(f)) {
       place.corner = h;
       whole = charts_.add(place, weight / old_.sides(f), row) && whole;
     }
@@ -309,12 +309,9 @@ class LevelBuilder {
   }
 
   bool onSeam(std::int32_t v) const {
-    const std::int32_t first = new_.outgoing(v);
-    std::int32_t h = first;
-    do {
+    for (const std::int32_t h : new_.halfEdgesFrom(v)) {
       if (charts_.touched(cellOf(new_.face(h)).chart)) return true;
-      h = new_.nextOutgoing(h);
-    } while (h >= 0 && h != first);
+    }
     return false;
   }
 
@@ -323,21 +320,16 @@ class LevelBuilder {
     const std::int32_t homeFace = home(v);
     const Cell own = cellOf(new_.face(primary_[at(v)]));
     const Row ownRow = hasFaceRow(v) ? Row() : primaryRow(v);
-    const std::int32_t first = new_.outgoing(v);
-    std::int32_t h = first;
-    do {
+    for (const std::int32_t h : new_.halfEdgesFrom(v)) {
       const Cell cell = cellOf(new_.face(h));
-      if (cell.chart != own.chart) {
-        std::optional<Row> row = homeFace >= 0 ? carriedRow(v, homeFace, cell, ownRow) : rowIn(v, cell);
-        if (row && !sameRow(*row, ownRow)) {
-          const auto known = std::find_if(extras.rows.begin(), extras.rows.end(),
-                                          [&](const Row& other) { return sameRow(other, *row); });
-          extras.corners.emplace_back(h, static_cast<std::int32_t>(known - extras.rows.begin()));
-          if (known == extras.rows.end()) extras.rows.push_back(std::move(*row));
-        }
-      }
-      h = new_.nextOutgoing(h);
-    } while (h >= 0 && h != first);
+      if (cell.chart == own.chart) continue;
+      std::optional<Row> row = homeFace >= 0 ? carriedRow(v, homeFace, cell, ownRow) : rowIn(v, cell);
+      if (!row || sameRow(*row, ownRow)) continue;
+      const auto known =
+          std::find_if(extras.rows.begin(), extras.rows.end(), [&](const Row& other) { return sameRow(other, *row); });
+      extras.corners.emplace_back(h, static_cast<std::int32_t>(known - extras.rows.begin()));
+      if (known == extras.rows.end()) extras.rows.push_back(std::move(*row));
+    }
     return extras;
   }
 

@@ -16,10 +16,6 @@ namespace honeycomb::Far {
 
 namespace {
 
-CentralPoints centralPointsOf(const Scheme& scheme) {
-  return scheme.centralPoints ? CentralPoints::byFace : CentralPoints::none;
-}
-
 /// Creases whose last step comes are those with at most this many left.
 constexpr double kLastStep = 1;
 
@@ -62,7 +58,7 @@ class CreasedStep {
 
   /// The table of a step from a shape of the level, reading the points of the level as it is.
   LevelTable tableFrom(const std::optional<Reshaped>& shape, const SplitResult& split) const {
-    if (!shape) return buildLevelTable(SourceLevel(level(), parent_.central), split, scheme_);
+    if (!shape) return buildLevelTable(parent_.points(), split, scheme_);
     LevelTable table = buildLevelTable(SourceLevel(shape->topology, parent_.central), split, scheme_);
     const std::int32_t reshaped = shape->topology.vertexCount();
     const bool byFace = parent_.central == CentralPoints::byFace;
@@ -122,7 +118,7 @@ Result<Level> nextLevel(const Level& parent, const Scheme& scheme) {
   if (!parent.topology.creases().empty()) return CreasedStep(parent, scheme).take();
   Result<SplitResult> split = scheme.split.apply(parent.topology);
   if (!split) return tl::unexpected(split.error());
-  LevelTable table = buildLevelTable(SourceLevel(parent.topology, parent.central), *split, scheme);
+  LevelTable table = buildLevelTable(parent.points(), *split, scheme);
   return Level{std::move(split->topology), std::move(table), centralPointsOf(scheme)};
 }
 

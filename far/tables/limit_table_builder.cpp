@@ -299,14 +299,14 @@ std::vector<std::int32_t> childless(const Topology& level, const LimitRows& with
 
 Result<LimitTable> buildLimitTable(const Level& level, const Scheme& lastStep) {
   const Scheme& scheme = lastStep.after ? *lastStep.after : lastStep;
-  const SourceLevel here(level.topology, level.central);
+  const SourceLevel here = level.points();
   const Result<SplitResult> child = splitFor(level.topology, scheme).apply(level.topology);
   if (!child) return tl::unexpected(child.error());
   if (child->table) {
     return fail(ErrorCode::unsupported,
                 "limits of " + scheme.name + " are not known; end with a level of another scheme, or without limits");
   }
-  const SourceLevel there(child->topology, scheme.centralPoints ? CentralPoints::byFace : CentralPoints::none);
+  const SourceLevel there(child->topology, centralPointsOf(scheme));
   LimitTable limits;
   limits.faces = faceRows(here, scheme);
   limits.vertices = vertexRows(level.topology, *child, there, scheme);

@@ -24,17 +24,14 @@ std::vector<Origin> vertexOriginsFrom(const Level& level, const std::vector<Orig
   const Topology& topology = level.topology;
   std::vector<Origin> origins(at(topology.vertexCount()));
   Parallel::forEach(0, topology.vertexCount(), [&](std::int64_t v) {
-    const std::int32_t first = topology.outgoing()[at(v)];
-    std::int32_t h = first;
-    do {
+    for (const std::int32_t h : topology.halfEdgesFrom(static_cast<std::int32_t>(v))) {
       const std::int32_t f = topology.face(h);
       if (topology.parentKind(f) == FaceParent::face) {
         origins[at(v)] = parentFaces[at(topology.parents()[at(f)])];
         return;
       }
-      h = topology.nextOutgoing(h);
-    } while (h >= 0 && h != first);
-    origins[at(v)] = faces[at(topology.face(first))];
+    }
+    origins[at(v)] = faces[at(topology.face(topology.outgoing()[at(v)]))];
   });
   return origins;
 }

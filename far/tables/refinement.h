@@ -34,7 +34,8 @@ struct Level {
   CentralPoints central = CentralPoints::none;  ///< what the level's points are beside its vertices
 
   /// [vertices | central control vertices, where there are any].
-  std::int32_t pointCount() const { return SourceLevel(topology, central).pointCount(); }
+  SourceLevel points() const { return SourceLevel(topology, central); }
+  std::int32_t pointCount() const { return points().pointCount(); }
 };
 
 /// All levels of a mesh under a chain of schemes, built once; evaluators apply the tables every frame. Immutable.

@@ -30,7 +30,7 @@ std::vector<std::int32_t> verticesOf(const Topology& level, const std::vector<st
   std::vector<std::uint8_t> seen(at(level.vertexCount()), 0);
   std::vector<std::int32_t> vertices;
   for (const std::int32_t f : faces) {
-    for (std::int32_t h = level.faceOffsets()[at(f)]; h < level.faceOffsets()[at(f) + 1]; ++h) {
+    for (const std::int32_t h : level.halfEdgesOf(f)) {
       const std::int32_t v = level.vert(h);
       if (seen[at(v)]) continue;
       seen[at(v)] = 1;

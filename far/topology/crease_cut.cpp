@@ -59,12 +59,9 @@ class Cut {
   /// The half-edges leaving v after which the mesh is open, in their order round v.
   std::vector<std::int32_t> sectorStarts(std::int32_t v) const {
     std::vector<std::int32_t> starts;
-    const std::int32_t first = control_.outgoing(v);
-    std::int32_t h = first;
-    do {
+    for (const std::int32_t h : control_.halfEdgesFrom(v)) {
       if (arrays_.twin[at(h)] < 0) starts.push_back(h);
-      h = control_.nextOutgoing(h);
-    } while (h >= 0 && h != first);
+    }
     return starts;
   }
 

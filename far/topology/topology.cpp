@@ -110,13 +110,8 @@ Result<Topology> Topology::create(const Polygons& polygons) {
 }
 
 std::int32_t Topology::facesAt(std::int32_t v) const {
-  const std::int32_t first = outgoing(v);
   std::int32_t count = 0;
-  std::int32_t h = first;
-  do {
-    ++count;
-    h = nextOutgoing(h);
-  } while (h >= 0 && h != first);
+  for ([[maybe_unused]] const std::int32_t h : halfEdgesFrom(v)) ++count;
   return count;
 }
 

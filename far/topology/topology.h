@@ -137,6 +137,51 @@ class Topology {
   std::span<const CreaseEdge> creases() const { return a_.creases; }
   std::span<const std::int32_t> heldCorners() const { return a_.heldCorners; }
 
+  /// The half-edges of a face in the order of its loop, for a range-based loop.
+  class FaceHalfEdges {
+   public:
+    struct Iterator {
+      std::int32_t h;
+      std::int32_t operator*() const { return h; }
+      Iterator& operator++() {
+        ++h;
+        return *this;
+      }
+      bool operator!=(const Iterator& other) const { return h != other.h; }
+    };
+    FaceHalfEdges(std::int32_t first, std::int32_t end) : first_(first), end_(end) {}
+    Iterator begin() const { return {first_}; }
+    Iterator end() const { return {end_}; }
+
+   private:
+    std::int32_t first_, end_;
+  };
+  FaceHalfEdges halfEdgesOf(std::int32_t f) const { return {a_.faceOffsets[index(f)], a_.faceOffsets[index(f) + 1]}; }
+
+  /// The half-edges that leave a vertex, counter-clockwise from outgoing(v), for a range-based loop.
+  class OutgoingHalfEdges {
+   public:
+    struct Iterator {
+      const Topology* topology;
+      std::int32_t first, h;  // h is -1 at the end
+      std::int32_t operator*() const { return h; }
+      Iterator& operator++() {
+        h = topology->nextOutgoing(h);
+        if (h == first) h = -1;
+        return *this;
+      }
+      bool operator!=(const Iterator& other) const { return h != other.h; }
+    };
+    OutgoingHalfEdges(const Topology& topology, std::int32_t first) : topology_(topology), first_(first) {}
+    Iterator begin() const { return {&topology_, first_, first_}; }
+    Iterator end() const { return {&topology_, first_, -1}; }
+
+   private:
+    const Topology& topology_;
+    std::int32_t first_;
+  };
+  OutgoingHalfEdges halfEdgesFrom(std::int32_t v) const { return {*this, outgoing(v)}; }
+
   VertexTag vertexTag(std::int32_t v) const {
     return a_.vertexTags.empty() ? VertexTag::interior : a_.vertexTags[index(v)];
   }

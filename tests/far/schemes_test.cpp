@@ -6,14 +6,13 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <stdexcept>
 
 #include "far/schemes/akleman.h"
 #include "far/schemes/half_box.h"
 #include "far/schemes/zhang_wang.h"
-#include "far/tables/patch_table.h"
 #include "tests/support/golden.h"
 #include "tests/support/manifold_check.h"
+#include "tests/support/must.h"
 #include "tests/support/refined.h"
 #include "tests/support/scheme_list.h"
 #include "tests/support/shapes.h"
@@ -29,16 +28,13 @@ constexpr std::uint64_t kMeshes = meshes(12);
 std::vector<Far::Scheme> chainOn(const ListedScheme& scheme, const Far::Topology& control, std::int32_t levels) {
   std::vector<Far::Scheme> chain;
   if (scheme.threeEdges && hasTwoValentVertex(control)) chain.push_back(*Far::akleman());
-  const auto steps = scheme.chain(control, levels);
-  if (!steps) throw std::runtime_error(steps.error().message);
-  chain.insert(chain.end(), steps->begin(), steps->end());
+  const auto steps = must(scheme.chain(control, levels));
+  chain.insert(chain.end(), steps.begin(), steps.end());
   return chain;
 }
 
 Far::Refinement refine(const Far::Topology& control, const std::vector<Far::Scheme>& chain, bool limits) {
-  Result<Far::Refinement> refinement = Far::refine(control, chain, {.limits = limits});
-  if (!refinement) throw std::runtime_error(refinement.error().message);
-  return std::move(*refinement);
+  return must(Far::refine(control, chain, {.limits = limits}));
 }
 
 /// Calls body(refinement, random mesh) for every scheme on random meshes, closed and open.
@@ -324,29 +320,6 @@ TEST(ZhangWang, ReadsCentralControlVerticesInTheCallersOrderOfFaces) {
   for (std::size_t i = 0; i < expected.size(); ++i) ASSERT_LT(distance(expected[i], actual[i]), 1e-14) << i;
 }
 
-TEST(HalfBox, VertexLimitsAreThePatchCentres) {
-  for (const char* shape : {"cube.obj", "dodecahedron.obj", "honeycomb.obj"}) {
-    SCOPED_TRACE(shape);
-    const PolyMesh mesh = readGoldenMesh(shape);
-    const Far::Topology control = toTopology(mesh);
-    const auto chain = Far::halfBox(control, 1);
-    ASSERT_TRUE(chain.has_value());
-    const Far::Refinement refinement = std::move(*Far::refine(control, *chain, {.limits = true}));
-    const std::vector<Vec3> points = levelPoints<double>(refinement, refinement.levelCount(), mesh.points);
-    const Limits limits = vertexLimits<double>(refinement, points);
-    const auto patches = Far::PatchTable::build(refinement.last().topology);
-    ASSERT_TRUE(patches.has_value()) << patches.error().message;
-    const std::vector<double> numbers = pack<double>(points);
-    for (std::int32_t p = 0; p < patches->patchCount(); ++p) {
-      const auto centre = patches->evaluate<double>(p, {1.0 / 3, 1.0 / 3, 1.0 / 3}, numbers, 3);
-      ASSERT_TRUE(centre.has_value());
-      const std::int32_t v = patches->vertex(p);
-      ASSERT_LT(distance(at(limits.positions, v), centre->position), 1e-12) << "vertex " << v;
-      ASSERT_LT(distance(at(limits.normals, v), centre->normal), 1e-10) << "vertex " << v;
-    }
-  }
-}
-
 /// Lengths of the edges between inside vertices of a level lie this far apart, relatively.
 double edgeSpread(const Far::Refinement& refinement, const std::vector<Vec3>& control) {
   const Far::Topology& topology = refinement.last().topology;
@@ -395,39 +368,6 @@ TEST(Schemes, RefuseVerticesThatWouldBecomeFacesOfTwoSides) {
               "vertex 0 (counted from 0) has 2 faces round it, too few to become a face; dissolve it");
     EXPECT_EQ(refined.error().element, 0);
   }
-}
-
-TEST(HalfBox, NamesTheVertexThatHasNotThreeEdges) {
-  Far::HalfBoxOptions options;
-  options.conversion = Far::HalfBoxConversion::none;
-  const auto refused = Far::halfBox(toTopology(readGoldenMesh("torus.obj")), 1, options);
-  ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().element, 0);
-  EXPECT_NE(refused.error().message.find("vertex 0 (counted from 0) has 4 edges"), std::string::npos)
-      << refused.error().message;
-}
-
-std::string dualError(std::int32_t vertices, const std::vector<std::vector<std::int32_t>>& faces) {
-  Far::Polygons polygons;
-  polygons.vertexCount = vertices;
-  for (const auto& face : faces) polygons.addFace(face);
-  const auto control = Far::Topology::create(polygons);
-  if (!control) return control.error().message;
-  const auto chain = Far::halfBox(*control, 1, {.conversion = Far::HalfBoxConversion::dual});
-  if (!chain) return chain.error().message;
-  const auto refined = Far::refine(*control, *chain);
-  return refined ? "" : refined.error().message;
-}
-
-TEST(HalfBox, RefusesDualsThatAreNoMeshes) {
-  EXPECT_EQ(dualError(4, {{0, 1, 2}, {0, 2, 3}}),
-            "every vertex is on a boundary, so the dual has no faces; give a larger mesh or convert it otherwise");
-  // Two inside vertices (0 and 2) across a quad.
-  EXPECT_EQ(dualError(6, {{0, 1, 2, 3}, {0, 3, 4}, {0, 4, 1}, {2, 1, 5}, {2, 5, 3}}),
-            "face 0 (counted from 0) has vertices inside the mesh that lie apart, so the dual would have a bow-tie "
-            "there; split the face or convert otherwise");
-  EXPECT_EQ(dualError(4, {{0, 1, 2, 3}, {3, 2, 1, 0}}),
-            "vertex 0 (counted from 0) has 2 faces round it, too few to become a face; dissolve it");
 }
 
 }  // namespace

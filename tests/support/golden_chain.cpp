@@ -1,7 +1,6 @@
 #include "tests/support/golden_chain.h"
 
 #include <set>
-#include <stdexcept>
 
 #include "far/schemes/centroid.h"
 #include "far/schemes/doo_sabin.h"
@@ -9,16 +8,11 @@
 #include "far/schemes/midpoint.h"
 #include "far/schemes/trisect.h"
 #include "far/schemes/zhang_wang.h"
+#include "tests/support/must.h"
 #include "tests/support/refined.h"
 
 namespace honeycomb::Test {
 namespace {
-
-template <class T>
-T must(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message);
-  return std::move(*result);
-}
 
 Far::ZhangWangOptions zhangWangOptions(const std::string& folder) {
   Far::ZhangWangOptions options;

@@ -6,18 +6,13 @@
 #include <stdexcept>
 
 #include "tests/support/golden.h"
+#include "tests/support/must.h"
 #include "tests/support/random_mesh.h"
 #include "tests/support/reference_zip.h"
 #include "tests/support/shapes.h"
 
 namespace honeycomb::Test {
 namespace {
-
-template <class T>
-T must(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message);
-  return std::move(*result);
-}
 
 /// After a step of Akleman and Srinivasan's scheme every vertex has three edges, or two on a boundary.
 PolyMesh randomThreeValent(std::uint64_t seed) {

@@ -4,19 +4,10 @@
 
 #include "far/schemes/akleman.h"
 #include "osd/cpu_evaluator.h"
+#include "tests/support/must.h"
 
 namespace honeycomb::Test {
 namespace {
-
-template <class T>
-T must(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message);
-  return std::move(*result);
-}
-
-void must(const Result<void>& result) {
-  if (!result) throw std::runtime_error(result.error().message);
-}
 
 Far::BoundaryRule boundaryRule(ReferenceBoundary boundary) {
   switch (boundary) {

@@ -22,21 +22,16 @@ class AmboSlots : public SlotRule {
   bool hasCornerPoints() const override { return false; }
 
   void faceLoop(std::int32_t f, std::vector<std::int32_t>& slots) const override {
-    for (std::int32_t h = parent().faceOffsets()[at(f)]; h < parent().faceOffsets()[at(f) + 1]; ++h) {
-      slots.push_back(slot(h, A));
-    }
+    for (const std::int32_t h : parent().halfEdgesOf(f)) slots.push_back(slot(h, A));
   }
 
   void vertexLoop(std::int32_t v, std::vector<std::int32_t>& slots) const override {
     if (!parent().keepsFace(v)) return;
-    const std::int32_t first = parent().outgoing(v);
-    std::int32_t h = first;
-    do {
+    for (const std::int32_t h : parent().halfEdgesFrom(v)) {
       const std::int32_t p = parent().prev(h);
       slots.push_back(slot(p, B));
-      h = parent().twin(p);
-      if (h < 0) slots.push_back(closing(p));
-    } while (h >= 0 && h != first);
+      if (parent().twin(p) < 0) slots.push_back(closing(p));
+    }
   }
 
   std::int32_t start(std::int32_t s) const override {
@@ -87,11 +82,7 @@ Result<SplitResult> apply(const Topology& parent) {
 }  // namespace
 
 Split ambo() {
-  Split split;
-  split.name = "ambo";
-  split.grow = grow;
-  split.apply = apply;
-  return split;
+  return {"ambo", apply, grow};
 }
 
 }  // namespace honeycomb::Far

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "far/base/index.h"
-#include "far/topology/splits/slot_rule.h"
+#include "far/topology/splits/chamfer_slots.h"
 #include "far/topology/three_valent.h"
 
 /// Slots of half-edge h outside gaps as in chamfer.cpp, where every corner point of a side or corner is an s1(h):
@@ -17,29 +17,23 @@ namespace honeycomb::Far {
 
 namespace {
 
-class ClampedSlots : public SlotRule {
+class ClampedSlots : public ChamferSlots {
  public:
   explicit ClampedSlots(const Topology& parent)
-      : SlotRule(parent), firstCut_(parent.halfEdgeCount()), firstGap_(firstCut_) {
+      : ChamferSlots(parent), firstCut_(parent.halfEdgeCount()), firstGap_(firstCut_) {
     for (const FaceRun& run : parent.runs()) {
       if (run.kind != FaceKind::full) firstCut_ = std::min(firstCut_, run.firstHalfEdge);
       if (run.kind == FaceKind::clampedGap) firstGap_ = std::min(firstGap_, run.firstHalfEdge);
     }
   }
 
-  std::int32_t slotCount() const override { return 4 * parent().halfEdgeCount(); }
-  std::int32_t vertexSlotCount() const override { return parent().halfEdgeCount() + parent().vertexCount(); }
-
   FaceKind faceKind(std::int32_t f) const override {
     return parent().faceOffsets()[at(f)] < firstCut_ ? FaceKind::full : parent().run(f).kind;
   }
   void faceLoop(std::int32_t f, std::vector<std::int32_t>& slots) const override {
-    const std::int32_t first = parent().faceOffsets()[at(f)];
-    if (inGap(first)) return;
-    for (std::int32_t h = first; h < parent().faceOffsets()[at(f) + 1]; ++h) slots.push_back(slot(h, A));
+    if (!inGap(parent().faceOffsets()[at(f)])) ChamferSlots::faceLoop(f, slots);
   }
 
-  bool hasEdgeFaces() const override { return true; }
   FaceKind edgeKind(std::int32_t h) const override {
     if (parent().twin(h) < 0) return FaceKind::clampedSide;
     return inGap(h) || inGap(parent().twin(h)) ? FaceKind::clampedGap : FaceKind::full;
@@ -53,22 +47,13 @@ class ClampedSlots : public SlotRule {
     } else if (inGap(h)) {
       gapLoop(h, slots);
     } else {
-      slots.insert(slots.end(), {slot(parent().next(t), D), slot(t, B), slot(t, C), slot(parent().next(h), D),
-                                 slot(h, B), slot(h, C)});
+      ChamferSlots::edgeLoop(h, slots);
     }
   }
 
   std::int32_t start(std::int32_t s) const override {
     const std::int32_t h = s / 4;
-    if (inGap(h)) return gapStart(h, static_cast<Letter>(s % 4));
-    switch (s % 4) {
-      case B:
-        return parent().next(h);
-      case D:
-        return parent().halfEdgeCount() + parent().vert(h);
-      default:
-        return h;
-    }
+    return inGap(h) ? gapStart(h, static_cast<Letter>(s % 4)) : ChamferSlots::start(s);
   }
 
   std::int32_t twin(std::int32_t s) const override {
@@ -100,8 +85,6 @@ class ClampedSlots : public SlotRule {
   }
 
  private:
-  enum Letter : std::int32_t { A, B, C, D };
-  static std::int32_t slot(std::int32_t h, Letter letter) { return 4 * h + letter; }
   bool inGap(std::int32_t h) const { return h >= firstGap_; }
   /// The half-edges of a gap come in threes.
   std::int32_t placeInGap(std::int32_t h) const { return (h - firstGap_) % 3; }
@@ -191,11 +174,7 @@ Result<SplitResult> apply(const Topology& parent) {
 }  // namespace
 
 Split chamferClamped() {
-  Split split;
-  split.name = "chamfer-clamped";
-  split.grow = grow;
-  split.apply = apply;
-  return split;
+  return {"chamfer-clamped", apply, grow};
 }
 
 }  // namespace honeycomb::Far

@@ -31,9 +31,7 @@ class ClampSlots : public SlotRule {
     const Rows rows = rowsOf(f);
     if (rows.count == 1) rowLoop(rows.first, slots);
     if (!rows.allInside) return;
-    for (std::int32_t h = parent().faceOffsets()[at(f)]; h < parent().faceOffsets()[at(f) + 1]; ++h) {
-      slots.push_back(slot(h, A));
-    }
+    for (const std::int32_t h : parent().halfEdgesOf(f)) slots.push_back(slot(h, A));
   }
 
   FaceKind vertexKind(std::int32_t) const override { return FaceKind::clampedGap; }
@@ -120,7 +118,7 @@ class ClampSlots : public SlotRule {
   };
   Rows rowsOf(std::int32_t f) const {
     Rows rows;
-    for (std::int32_t h = parent().faceOffsets()[at(f)]; h < parent().faceOffsets()[at(f) + 1]; ++h) {
+    for (const std::int32_t h : parent().halfEdgesOf(f)) {
       rows.allInside = rows.allInside && !parent().onBoundary(parent().vert(h));
       if (!entersRow(h)) continue;
       if (rows.count++ == 0) rows.first = h;
@@ -184,11 +182,7 @@ Result<SplitResult> apply(const Topology& parent) {
 }  // namespace
 
 Split clamp() {
-  Split split;
-  split.name = "clamp";
-  split.grow = grow;
-  split.apply = apply;
-  return split;
+  return {"clamp", apply, grow};
 }
 
 }  // namespace honeycomb::Far

@@ -27,9 +27,7 @@ class BrickClampSlots : public SlotRule {
     return isFixed(parent().dest(first)) ? FaceKind::clampedCorner : FaceKind::clampedSide;
   }
   void faceLoop(std::int32_t f, std::vector<std::int32_t>& slots) const override {
-    for (std::int32_t h = parent().faceOffsets()[at(f)]; h < parent().faceOffsets()[at(f) + 1]; ++h) {
-      slots.push_back(slot(h, A));
-    }
+    for (const std::int32_t h : parent().halfEdgesOf(f)) slots.push_back(slot(h, A));
   }
 
   FaceKind vertexKind(std::int32_t) const override { return FaceKind::clampedGap; }
@@ -136,11 +134,7 @@ Result<SplitResult> apply(const Topology& parent) {
 }  // namespace
 
 Split clampBricks() {
-  Split split;
-  split.name = "clamp-bricks";
-  split.grow = grow;
-  split.apply = apply;
-  return split;
+  return {"clamp-bricks", apply, grow};
 }
 
 }  // namespace honeycomb::Far

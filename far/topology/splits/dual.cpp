@@ -22,12 +22,7 @@ class DualSlots : public SlotRule {
   void faceLoop(std::int32_t, std::vector<std::int32_t>&) const override {}
   void vertexLoop(std::int32_t v, std::vector<std::int32_t>& slots) const override {
     if (parent().onBoundary(v)) return;
-    const std::int32_t first = parent().outgoing(v);
-    std::int32_t h = first;
-    do {
-      slots.push_back(h);
-      h = parent().nextOutgoing(h);
-    } while (h != first);
+    for (const std::int32_t h : parent().halfEdgesFrom(v)) slots.push_back(h);
   }
 
   std::int32_t start(std::int32_t s) const override { return parent().face(s); }
@@ -48,7 +43,7 @@ class DualSlots : public SlotRule {
   static std::int32_t insideRuns(const Topology& topology, std::int32_t f) {
     std::int32_t runs = 0;
     bool any = false;
-    for (std::int32_t h = topology.faceOffsets()[at(f)]; h < topology.faceOffsets()[at(f) + 1]; ++h) {
+    for (const std::int32_t h : topology.halfEdgesOf(f)) {
       const bool inside = !topology.onBoundary(topology.vert(h));
       any = any || inside;
       if (inside && topology.onBoundary(topology.dest(h))) ++runs;
@@ -87,17 +82,15 @@ Census grow(const Census& p) {
   return c;
 }
 
+Result<SplitResult> apply(const Topology& parent) {
+  if (const auto sound = check(parent); !sound) return tl::unexpected(sound.error());
+  return assemble(DualSlots(parent));
+}
+
 }  // namespace
 
 Split dualSplit() {
-  Split split;
-  split.name = "dual";
-  split.grow = grow;
-  split.apply = [](const Topology& parent) -> Result<SplitResult> {
-    if (const auto sound = check(parent); !sound) return tl::unexpected(sound.error());
-    return assemble(DualSlots(parent));
-  };
-  return split;
+  return {"dual", apply, grow};
 }
 
 }  // namespace honeycomb::Far

@@ -19,19 +19,12 @@ class ExpandSlots : public SlotRule {
   std::int32_t vertexSlotCount() const override { return parent().halfEdgeCount(); }
 
   void faceLoop(std::int32_t f, std::vector<std::int32_t>& slots) const override {
-    for (std::int32_t h = parent().faceOffsets()[at(f)]; h < parent().faceOffsets()[at(f) + 1]; ++h) {
-      slots.push_back(slot(h, A));
-    }
+    for (const std::int32_t h : parent().halfEdgesOf(f)) slots.push_back(slot(h, A));
   }
 
   void vertexLoop(std::int32_t v, std::vector<std::int32_t>& slots) const override {
     if (parent().onBoundary(v)) return;
-    const std::int32_t first = parent().outgoing(v);
-    std::int32_t h = first;
-    do {
-      slots.push_back(slot(h, D));
-      h = parent().nextOutgoing(h);
-    } while (h != first);
+    for (const std::int32_t h : parent().halfEdgesFrom(v)) slots.push_back(slot(h, D));
   }
 
   bool hasEdgeFaces() const override { return true; }
@@ -93,11 +86,7 @@ Result<SplitResult> apply(const Topology& parent) {
 }  // namespace
 
 Split expand() {
-  Split split;
-  split.name = "expand";
-  split.grow = grow;
-  split.apply = apply;
-  return split;
+  return {"expand", apply, grow};
 }
 
 }  // namespace honeycomb::Far

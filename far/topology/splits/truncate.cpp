@@ -24,7 +24,7 @@ class TruncateSlots : public SlotRule {
   bool makesThreeValent() const override { return parent().closed(); }
 
   void faceLoop(std::int32_t f, std::vector<std::int32_t>& slots) const override {
-    for (std::int32_t h = parent().faceOffsets()[at(f)]; h < parent().faceOffsets()[at(f) + 1]; ++h) {
+    for (const std::int32_t h : parent().halfEdgesOf(f)) {
       slots.push_back(slot(h, A));
       slots.push_back(slot(h, B));
     }
@@ -32,14 +32,11 @@ class TruncateSlots : public SlotRule {
 
   void vertexLoop(std::int32_t v, std::vector<std::int32_t>& slots) const override {
     if (!parent().keepsFace(v)) return;
-    const std::int32_t first = parent().outgoing(v);
-    std::int32_t h = first;
-    do {
+    for (const std::int32_t h : parent().halfEdgesFrom(v)) {
       const std::int32_t p = parent().prev(h);
       slots.push_back(slot(p, C));
-      h = parent().twin(p);
-      if (h < 0) slots.push_back(3 * parent().halfEdgeCount() + rank(p));
-    } while (h >= 0 && h != first);
+      if (parent().twin(p) < 0) slots.push_back(3 * parent().halfEdgeCount() + rank(p));
+    }
   }
 
   std::int32_t start(std::int32_t s) const override {
@@ -104,11 +101,7 @@ Result<SplitResult> apply(const Topology& parent) {
 }  // namespace
 
 Split truncate() {
-  Split split;
-  split.name = "truncate";
-  split.grow = grow;
-  split.apply = apply;
-  return split;
+  return {"truncate", apply, grow};
 }
 
 }  // namespace honeycomb::Far

@@ -64,13 +64,11 @@ class BrickSlots : public ZipSlots {
       if (parent().vertexTag(v) == VertexTag::corner) slots.push_back(slot(entering, W));
       if (!isCut(first)) slots.push_back(slot(first, Y));
     }
-    std::int32_t h = first;
-    do {
+    for (const std::int32_t h : parent().halfEdgesFrom(v)) {
       const std::int32_t p = parent().prev(h);
       slots.push_back(slot(h, C));
       if (!isCut(p)) slots.push_back(slot(p, B));
-      h = parent().twin(p);
-    } while (h >= 0 && h != first);
+    }
   }
 
   std::int32_t start(std::int32_t s) const override {

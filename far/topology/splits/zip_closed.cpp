@@ -78,10 +78,8 @@ void writeVertexFace(const Topology& parent, std::int32_t v, std::int32_t face, 
                      TopologyArrays& child, std::vector<std::int32_t>& bridge) {
   child.faceOffsets[at(face)] = base;
   child.parents[at(face)] = v;
-  const std::int32_t first = parent.outgoing(v);
-  std::int32_t h = first;
   std::int32_t slot = base;
-  do {
+  for (const std::int32_t h : parent.halfEdgesFrom(v)) {
     const std::int32_t p = parent.prev(h);
     child.vert[at(slot)] = h;
     child.twin[at(slot)] = p;
@@ -91,8 +89,7 @@ void writeVertexFace(const Topology& parent, std::int32_t v, std::int32_t face, 
     child.face[at(slot + 1)] = face;
     bridge[at(p)] = slot + 1;
     slot += 2;
-    h = parent.twin(p);
-  } while (h != first);
+  }
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ class DropSlots : public ZipSlots {
  public:
   explicit DropSlots(const Topology& parent) : ZipSlots(parent), kept_(at(parent.faceCount()), 0) {
     Parallel::forEach(0, parent.faceCount(), [&](std::int64_t f) {
-      for (std::int32_t h = parent.faceOffsets()[at(f)]; h < parent.faceOffsets()[at(f) + 1]; ++h) {
+      for (const std::int32_t h : parent.halfEdgesOf(static_cast<std::int32_t>(f))) {
         if (!parent.onBoundary(parent.vert(h))) kept_[at(f)] = 1;
       }
     });
@@ -21,20 +21,15 @@ class DropSlots : public ZipSlots {
 
   void faceLoop(std::int32_t f, std::vector<std::int32_t>& slots) const override {
     if (!kept_[at(f)]) return;
-    for (std::int32_t h = parent().faceOffsets()[at(f)]; h < parent().faceOffsets()[at(f) + 1]; ++h) {
-      slots.push_back(slot(h, A));
-    }
+    for (const std::int32_t h : parent().halfEdgesOf(f)) slots.push_back(slot(h, A));
   }
 
   void vertexLoop(std::int32_t v, std::vector<std::int32_t>& slots) const override {
     if (parent().onBoundary(v)) return;
-    const std::int32_t first = parent().outgoing(v);
-    std::int32_t h = first;
-    do {
+    for (const std::int32_t h : parent().halfEdgesFrom(v)) {
       slots.push_back(slot(h, C));
       slots.push_back(slot(parent().prev(h), B));
-      h = parent().nextOutgoing(h);
-    } while (h != first);
+    }
   }
 
   std::int32_t start(std::int32_t s) const override { return s / 3; }

@@ -14,26 +14,21 @@ class Eq16Slots : public ZipSlots {
   using ZipSlots::ZipSlots;
 
   void faceLoop(std::int32_t f, std::vector<std::int32_t>& slots) const override {
-    for (std::int32_t h = parent().faceOffsets()[at(f)]; h < parent().faceOffsets()[at(f) + 1]; ++h) {
-      slots.push_back(slot(h, A));
-    }
+    for (const std::int32_t h : parent().halfEdgesOf(f)) slots.push_back(slot(h, A));
   }
 
   void vertexLoop(std::int32_t v, std::vector<std::int32_t>& slots) const override {
     if (!parent().keepsFace(v)) return;
-    const std::int32_t first = parent().outgoing(v);
-    std::int32_t h = first;
-    do {
+    for (const std::int32_t h : parent().halfEdgesFrom(v)) {
       const std::int32_t p = parent().prev(h);
       slots.push_back(slot(h, C));
-      h = parent().twin(p);
-      if (h >= 0) {
+      if (parent().twin(p) >= 0) {
         slots.push_back(slot(p, B));
       } else {
         slots.push_back(slot(p, Y));
         slots.push_back(slot(p, Z));
       }
-    } while (h >= 0 && h != first);
+    }
   }
 
   std::int32_t start(std::int32_t s) const override {
