@@ -68,10 +68,11 @@ std::array<Real, Width> operator*(Real w, const std::array<Real, Width>& a) {
   return r;
 }
 
-/// Out of `sides` corners p, the N outputs of CirculantBatch. N is `sides` where it is known to the compiler, else 0.
+/// Out of `sides` corners p, the N outputs of CirculantForm::direct. N is `sides` where it is known to the compiler,
+/// else 0.
 template <int N, class Real, std::size_t Width>
-void circulantOdd(const Real* c, const std::array<Real, Width>* p, std::int32_t sides, const View<Real>& out,
-                  std::int32_t first) {
+void circulantDirect(const Real* c, const std::array<Real, Width>* p, std::int32_t sides, const View<Real>& out,
+                     std::int32_t first) {
   const std::int32_t n = N > 0 ? N : sides;
   for (std::int32_t i = 0; i < n; ++i) {
     std::array<Real, Width> sum = c[0] * p[i];
@@ -81,8 +82,8 @@ void circulantOdd(const Real* c, const std::array<Real, Width>* p, std::int32_t 
 }
 
 template <int N, class Real, std::size_t Width>
-void circulantEven(const Real* form, const std::array<Real, Width>* p, std::int32_t sides, const View<Real>& out,
-                   std::int32_t first) {
+void circulantEvenOdd(const Real* form, const std::array<Real, Width>* p, std::int32_t sides, const View<Real>& out,
+                      std::int32_t first) {
   const std::int32_t m = (N > 0 ? N : sides) / 2;
   // Twice over, the second time with the sign of a wrapped term, so that no index wraps.
   std::array<Real, Width> q[N > 0 ? N : Far::kLargestCirculant];
@@ -104,6 +105,47 @@ void circulantEven(const Real* form, const std::array<Real, Width>* p, std::int3
   }
 }
 
+template <class Real, std::size_t Width>
+void circulantQuad(const Real* form, const std::array<Real, Width>* p, const View<Real>& out, std::int32_t first) {
+  const std::array<Real, Width> d[] = {p[0] - p[2], p[1] - p[3]};
+  const auto s = form[0] * ((p[0] + p[2]) + (p[1] + p[3]));
+  const std::array<Real, Width> o[] = {form[1] * (d[0] + d[1]), form[1] * (d[1] - d[0])};
+  for (std::int32_t i = 0; i < 2; ++i) {
+    store(s + o[i], out.point(first + i));
+    store(s - o[i], out.point(first + i + 2));
+  }
+}
+
+template <class Real, std::size_t Width>
+void circulantHexagon(const Real* form, const std::array<Real, Width>* p, const View<Real>& out, std::int32_t first) {
+  const std::array<Real, Width> q[] = {p[0] + p[3], p[1] + p[4], p[2] + p[5]};
+  const std::array<Real, Width> d[] = {p[0] - p[3], p[1] - p[4], p[2] - p[5]};
+  const auto s = form[0] * ((q[0] + q[1]) + q[2]);
+  const std::array<Real, Width> o[] = {form[2] * (d[0] + d[1]), form[2] * (d[1] + d[2]), form[2] * (d[2] - d[0])};
+  for (std::int32_t i = 0; i < 3; ++i) {
+    const auto e = s - form[1] * q[(i + 2) % 3];
+    store(e + o[i], out.point(first + i));
+    store(e - o[i], out.point(first + i + 3));
+  }
+}
+
+template <int N, class Real, std::size_t Width>
+void circulantFace(Far::CirculantForm which, const Real* form, const std::array<Real, Width>* p, std::int32_t sides,
+                   const View<Real>& out, std::int32_t first) {
+  switch (which) {
+    case Far::CirculantForm::direct:
+      return circulantDirect<N>(form, p, sides, out, first);
+    case Far::CirculantForm::evenOdd:
+      return circulantEvenOdd<N>(form, p, sides, out, first);
+    case Far::CirculantForm::quad:
+      if constexpr (N == 4) circulantQuad(form, p, out, first);
+      return;
+    case Far::CirculantForm::hexagon:
+      if constexpr (N == 6) circulantHexagon(form, p, out, first);
+      return;
+  }
+}
+
 /// Faces begin .. end-1 of a batch.
 template <int N, int Width, class Real>
 void circulantFaces(const Far::LevelTable& table, const Far::CirculantBatch& batch, const View<const Real>& in,
@@ -115,7 +157,7 @@ void circulantFaces(const Far::LevelTable& table, const Far::CirculantBatch& bat
   for (std::int64_t g = begin; g < end; ++g, index += n) {
     for (std::int32_t i = 0; i < n; ++i) p[i] = load<Width>(in.point(index[i]));
     const auto first = static_cast<std::int32_t>(batch.firstOutput + g * n);
-    n % 2 == 0 ? circulantEven<N>(form, p, n, out, first) : circulantOdd<N>(form, p, n, out, first);
+    circulantFace<N>(batch.form, form, p, n, out, first);
   }
 }
 

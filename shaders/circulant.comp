@@ -21,7 +21,7 @@ float weight(uint k) {
 }
 
 // out_i = ((c_0 p_i + c_1 p_{i+1}) + c_2 p_{i+2}) + ...
-void evaluateOdd(uint firstOutput, uint c, uint corner[kSides]) {
+void evaluateDirect(uint firstOutput, uint c, uint corner[kSides]) {
   float p[kSides];
   for (uint i = 0u; i < sides(); ++i) p[i] = sourceValue(corner[i], c);
   for (uint i = 0u; i < sides(); ++i) {
@@ -36,7 +36,7 @@ void evaluateOdd(uint firstOutput, uint c, uint corner[kSides]) {
 }
 
 // Sums and differences of opposite corners: half the multiplications.
-void evaluateEven(uint firstOutput, uint c, uint corner[kSides]) {
+void evaluateEvenOdd(uint firstOutput, uint c, uint corner[kSides]) {
   precise float q[kHalf];
   precise float d[kHalf];
   for (uint j = 0u; j < halfSides(); ++j) {
@@ -67,6 +67,47 @@ void evaluateEven(uint firstOutput, uint c, uint corner[kSides]) {
   }
 }
 
+// The sum and the differences of opposite corners of a row that is its own mirror image about an edge.
+void evaluateQuad(uint firstOutput, uint c, uint corner[kSides]) {
+  precise float q[2];
+  precise float d[2];
+  for (uint j = 0u; j < 2u; ++j) {
+    const float here = sourceValue(corner[j % kSides], c);
+    const float opposite = sourceValue(corner[(j + 2u) % kSides], c);
+    q[j] = here + opposite;
+    d[j] = here - opposite;
+  }
+  precise float s = weight(0u) * (q[0] + q[1]);
+  precise float o[2] = float[2](weight(1u) * (d[0] + d[1]), weight(1u) * (d[1] - d[0]));
+  for (uint i = 0u; i < 2u; ++i) {
+    precise float upper = s + o[i];
+    precise float lower = s - o[i];
+    writeTarget(firstOutput + i, c, upper);
+    writeTarget(firstOutput + i + 2u, c, lower);
+  }
+}
+
+void evaluateHexagon(uint firstOutput, uint c, uint corner[kSides]) {
+  precise float q[3];
+  precise float d[3];
+  for (uint j = 0u; j < 3u; ++j) {
+    const float here = sourceValue(corner[j % kSides], c);
+    const float opposite = sourceValue(corner[(j + 3u) % kSides], c);
+    q[j] = here + opposite;
+    d[j] = here - opposite;
+  }
+  precise float s = weight(0u) * ((q[0] + q[1]) + q[2]);
+  precise float o[3] =
+      float[3](weight(2u) * (d[0] + d[1]), weight(2u) * (d[1] + d[2]), weight(2u) * (d[2] - d[0]));
+  for (uint i = 0u; i < 3u; ++i) {
+    precise float e = s - weight(1u) * q[(i + 2u) % 3u];
+    precise float upper = e + o[i];
+    precise float lower = e - o[i];
+    writeTarget(firstOutput + i, c, upper);
+    writeTarget(firstOutput + i + 3u, c, lower);
+  }
+}
+
 void main() {
   const uint face = invocation();
   if (face >= push.count) return;
@@ -74,10 +115,14 @@ void main() {
   for (uint i = 0u; i < sides(); ++i) corner[i] = indices[push.firstIndex + face * kSides + i];
   const uint firstOutput = push.firstOutput + face * kSides;
   for (uint c = 0u; c < kLength; ++c) {
-    if ((kSides & 1u) == 1u) {
-      evaluateOdd(firstOutput, c, corner);
+    if (kForm == kDirect) {
+      evaluateDirect(firstOutput, c, corner);
+    } else if (kForm == kEvenOdd) {
+      evaluateEvenOdd(firstOutput, c, corner);
+    } else if (kForm == kQuad) {
+      evaluateQuad(firstOutput, c, corner);
     } else {
-      evaluateEven(firstOutput, c, corner);
+      evaluateHexagon(firstOutput, c, corner);
     }
   }
 }

@@ -10,6 +10,13 @@ layout(constant_id = 4) const uint kNormalStride = 3u;
 layout(constant_id = 5) const uint kSides = 6u;         // 0: push.sides
 layout(constant_id = 6) const uint kPageShift = 0u;     // a page is 2^kPageShift numbers; 0: the source is one page
 layout(constant_id = 7) const bool kWindowed = false;   // the target is larger than what is bound
+layout(constant_id = 8) const uint kForm = 0u;          // of a circulant: one of the four below
+
+// Far::CirculantForm.
+const uint kDirect = 0u;
+const uint kEvenOdd = 1u;
+const uint kQuad = 2u;
+const uint kHexagon = 3u;
 
 const uint kProjectionBlock = 256u;
 

@@ -156,7 +156,9 @@ class LevelBuilder {
   /// Where the weights of the batches of faces end.
   static std::int32_t batchWeights(const LevelTable& table) {
     std::int32_t end = 0;
-    for (const CirculantBatch& b : table.circulants) end = std::max({end, b.firstRow + b.sides, b.firstForm + b.sides});
+    for (const CirculantBatch& b : table.circulants) {
+      end = std::max({end, b.firstRow + b.sides, b.firstForm + b.formWeights()});
+    }
     for (const ProjectedFace& f : table.projected) {
       end = std::max(end, f.firstWeight + 2 + 3 * f.corners + 3 * f.outputs);
     }

@@ -11,23 +11,43 @@ namespace honeycomb::Far {
 /// pass over the corners, and a table row of weights for each side count.
 constexpr std::int32_t kLargestCirculant = 64;
 
+/// The order of operations of a circulant batch, for every evaluator (each operation rounded). p are the corners of a
+/// face, c is the first row of its matrix:
+///     direct    N odd; weights c_k
+///               out_i = ((c_0 p_i + c_1 p_{i+1}) + c_2 p_{i+2}) + ...   over k < N, index i+k wraps to i+k-N
+///     evenOdd   N even, M = N/2; weights E_k = (c_k + c_{k+M})/2, k < M, then O_k = (c_k - c_{k+M})/2
+///               q_j = p_j + p_{j+M}, d_j = p_j - p_{j+M} for j < M
+///               e_i = (E_0 q_i + E_1 q_{i+1}) + ...   over k < M, index i+k wraps to i+k-M
+///               o_i = (O_0 d_i + O_1 d_{i+1}) + ...   over k < M, a wrapped term is subtracted instead of added
+///               out_i = e_i + o_i,  out_{i+M} = e_i - o_i for i < M
+/// Rows that are their own mirror image about the edge from corner 0 to 1 (c_k = c_{1-k}, mod N) have E_0 = E_1 and
+/// O_0 = O_1, and share their sums:
+///     quad      N = 4; weights K = E_0, G = O_0;  q, d as above
+///               s = K (q_0 + q_1),  o_0 = G (d_0 + d_1),  o_1 = G (d_1 - d_0)
+///               out_i = s + o_i,  out_{i+2} = s - o_i for i < 2
+///     hexagon   N = 6, O_2 = 0; weights K = E_0, A = E_0 - E_2, G = O_0;  q, d as above
+///               s = K ((q_0 + q_1) + q_2),  e_i = s - A q_{i+2}, index i+2 wraps to i-1
+///               o_0 = G (d_0 + d_1),  o_1 = G (d_1 + d_2),  o_2 = G (d_2 - d_0)
+///               out_i = e_i + o_i,  out_{i+3} = e_i - o_i for i < 3
+enum class CirculantForm : std::uint8_t { direct, evenOdd, quad, hexagon };
+
+/// How many weights a form has for faces of `sides` sides.
+constexpr std::int32_t formWeightCount(CirculantForm form, std::int32_t sides) {
+  if (form == CirculantForm::quad) return 2;
+  return form == CirculantForm::hexagon ? 3 : sides;
+}
+
 /// G faces of N sides whose N outputs are one circulant matrix times their N corners:
 ///     out[firstOutput + g*N + i] = sum_k c[k] * in[indices[firstIndex + g*N + (i+k) % N]]
-///
-/// The order of operations, for every evaluator (each operation rounded; mod as above):
-///     N odd    out_i     = ((c_0 p_i + c_1 p_{i+1}) + c_2 p_{i+2}) + ...
-///     N even   M = N/2, q_j = p_j + p_{j+M}, d_j = p_j - p_{j+M} for j < M
-///              e_i = (E_0 q_i + E_1 q_{i+1}) + ...   over k < M, index i+k wraps to i+k-M
-///              o_i = (O_0 d_i + O_1 d_{i+1}) + ...   over k < M, a wrapped term is subtracted instead of added
-///              out_i = e_i + o_i,  out_{i+M} = e_i - o_i for i < M
-///              with E_k = (c_k + c_{k+M})/2, O_k = (c_k - c_{k+M})/2
 struct CirculantBatch {
   std::int32_t sides = 0;        ///< N, 3..kLargestCirculant
   std::int32_t faceCount = 0;    ///< G
   std::int32_t firstIndex = 0;   ///< in LevelTable::indices, G x N of them
   std::int32_t firstOutput = 0;  ///< outputs are contiguous
   std::int32_t firstRow = 0;     ///< in the weights: the first row c, N of them
-  std::int32_t firstForm = 0;    ///< in the weights: N odd the same as firstRow; N even E (N/2), then O (N/2)
+  std::int32_t firstForm = 0;    ///< in the weights: those of the form; the same as firstRow for the direct form
+  CirculantForm form = CirculantForm::direct;
+  std::int32_t formWeights() const { return formWeightCount(form, sides); }
 };
 
 /// One large face: a matrix that is two diagonals plus rank three, applied in linear time. Full faces of more than

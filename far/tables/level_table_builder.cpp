@@ -5,24 +5,13 @@
 
 #include "far/base/index.h"
 #include "far/base/parallel.h"
+#include "far/tables/circulant_form.h"
 #include "far/tables/mirrored_polygon.h"
 #include "far/tables/row_writer.h"
 
 namespace honeycomb::Far {
 
 namespace {
-
-/// The even and odd halves of a first row of even length, or the row itself: see CirculantBatch.
-std::vector<double> circulantForm(const std::vector<double>& row) {
-  if (row.size() % 2 != 0) return row;
-  const std::size_t half = row.size() / 2;
-  std::vector<double> form(row.size());
-  for (std::size_t k = 0; k < half; ++k) {
-    form[k] = (row[k] + row[k + half]) / 2;
-    form[half + k] = (row[k] - row[k + half]) / 2;
-  }
-  return form;
-}
 
 /// Weights on the corners of an N-gon that give its sum and its cosine and sine projections.
 struct Projections {
@@ -74,8 +63,10 @@ class Builder {
     if (run.sides <= kLargestCirculant) {
       const std::vector<double> row = firstRow(rule, run.sides);
       const std::int32_t firstWeight = addWeights(row);
-      const std::int32_t firstForm = run.sides % 2 == 0 ? addWeights(circulantForm(row)) : firstWeight;
-      table_.circulants.push_back({run.sides, run.faceCount, firstIndex, run.firstHalfEdge, firstWeight, firstForm});
+      const CirculantForm form = circulantForm(row);
+      const std::int32_t firstForm = form == CirculantForm::direct ? firstWeight : addWeights(formWeights(form, row));
+      table_.circulants.push_back(
+          {run.sides, run.faceCount, firstIndex, run.firstHalfEdge, firstWeight, firstForm, form});
     } else {
       addProjectedRun(run, firstIndex, rule);
     }

@@ -20,13 +20,14 @@ struct Specialization {
   std::uint32_t sides = 6;  ///< or the width of dense rows
   std::uint32_t pageShift = 0;
   std::uint32_t windowed = 0;
+  std::uint32_t form = 0;  ///< Far::CirculantForm
   /// All of them in order, to be compared.
   auto constants() const {
-    return std::tie(workgroupSize, length, sourceStride, targetStride, normalStride, sides, pageShift, windowed);
+    return std::tie(workgroupSize, length, sourceStride, targetStride, normalStride, sides, pageShift, windowed, form);
   }
   bool operator<(const Specialization& other) const { return constants() < other.constants(); }
 };
-constexpr std::uint32_t kSpecializationCount = 8;
+constexpr std::uint32_t kSpecializationCount = 9;
 static_assert(sizeof(Specialization) == kSpecializationCount * sizeof(std::uint32_t));
 
 /// Up to this many sides the loops of a kernel are unrolled and a circulant's weights are push constants. Unrolling

@@ -26,6 +26,8 @@ struct ItemBatch {
   std::int64_t firstOutput = 0;
   std::int64_t outputs = 0;  // an item
   std::int64_t firstWeight = 0;
+  std::int64_t weights = 0;
+  Far::CirculantForm form = Far::CirculantForm::direct;
 };
 
 struct ItemRange {
@@ -66,12 +68,13 @@ class LevelPlanner {
 
 Result<std::vector<Dispatch>> LevelPlanner::plan() {
   for (const Far::CirculantBatch& b : table_.circulants) {
-    const auto planned =
-        planBatch({Kernel::circulant, b.faceCount, b.firstIndex, b.sides, b.firstOutput, b.sides, b.firstForm});
+    const auto planned = planBatch({Kernel::circulant, b.faceCount, b.firstIndex, b.sides, b.firstOutput, b.sides,
+                                    b.firstForm, b.formWeights(), b.form});
     if (!planned) return tl::unexpected(planned.error());
   }
   for (const Far::DenseRows& b : table_.dense) {
-    const auto planned = planBatch({Kernel::dense, b.rowCount, b.firstIndex, b.width, b.firstOutput, 1, b.firstWeight});
+    const auto planned =
+        planBatch({Kernel::dense, b.rowCount, b.firstIndex, b.width, b.firstOutput, 1, b.firstWeight, b.width});
     if (!planned) return tl::unexpected(planned.error());
   }
   if (const auto planned = planLoose(); !planned) return tl::unexpected(planned.error());
@@ -91,7 +94,7 @@ Result<void> LevelPlanner::planItems(const ItemBatch& batch, ItemRange range) {
   const auto indices = stage_.slice(sections_.indices, batch.firstIndex + range.begin * batch.indices,
                                     (range.end - range.begin) * batch.indices);
   if (!indices) return tl::unexpected(indices.error());
-  const auto weights = stage_.slice(sections_.weights, batch.firstWeight, batch.indices);
+  const auto weights = stage_.slice(sections_.weights, batch.firstWeight, batch.weights);
   if (!weights) return tl::unexpected(weights.error());
   const auto windows = stage_.windows(stage_.target(), batch.firstOutput + range.begin * batch.outputs,
                                       batch.firstOutput + range.end * batch.outputs - 1);
@@ -104,8 +107,9 @@ Result<void> LevelPlanner::planItems(const ItemBatch& batch, ItemRange range) {
     dispatch.push.firstIndex = indices->first + static_cast<std::uint32_t>((items.begin - range.begin) * batch.indices);
     dispatch.push.firstWeight = weights->first;
     dispatch.push.sides = static_cast<std::uint32_t>(batch.indices);
+    dispatch.specialization.form = static_cast<std::uint32_t>(batch.form);
     if (batch.indices <= kUnrolledSides)
-      std::copy_n(table_.weightsSingle.begin() + batch.firstWeight, batch.indices, dispatch.push.weights.begin());
+      std::copy_n(table_.weightsSingle.begin() + batch.firstWeight, batch.weights, dispatch.push.weights.begin());
     dispatch.push.firstOutput = static_cast<std::uint32_t>(batch.firstOutput + items.begin * batch.outputs);
     rangeOf(dispatch, Slot::indices) = indices->range;
     if (batch.kernel == Kernel::circulant) rangeOf(dispatch, Slot::weights) = weights->range;

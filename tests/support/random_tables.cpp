@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "far/tables/circulant_form.h"
+
 namespace honeycomb::Test {
 
 namespace {
@@ -20,13 +22,18 @@ class Builder {
                               .faceCount = faces.count,
                               .firstIndex = sizeOf(table_.indices),
                               .firstOutput = table_.targetCount,
-                              .firstRow = sizeOf(table_.weights),
-                              .firstForm = sizeOf(table_.weights)};
+                              .firstRow = sizeOf(table_.weights)};
     addIndices(faces.sides * faces.count);
     addWeights(faces.sides);
-    if (faces.sides % 2 == 0) {
-      batch.firstForm = sizeOf(table_.weights);
-      addForm(batch);
+    const auto row = table_.weights.begin() + batch.firstRow;
+    if (faces.mirrored) {
+      for (std::int32_t k = 1; k <= faces.sides / 2; ++k) row[k] = row[(faces.sides + 1 - k) % faces.sides];
+    }
+    const std::vector<double> weights(row, table_.weights.end());
+    batch.form = Far::circulantForm(weights);
+    batch.firstForm = batch.form == Far::CirculantForm::direct ? batch.firstRow : sizeOf(table_.weights);
+    if (batch.form != Far::CirculantForm::direct) {
+      for (const double weight : Far::formWeights(batch.form, weights)) table_.weights.push_back(weight);
     }
     table_.circulants.push_back(batch);
     table_.targetCount += faces.sides * faces.count;
@@ -83,14 +90,6 @@ class Builder {
     std::uniform_real_distribution<double> weight(-1, 1);
     for (std::int32_t i = 0; i < count; ++i) table_.weights.push_back(weight(random_));
   }
-  void addForm(const Far::CirculantBatch& batch) {
-    const auto row = static_cast<std::size_t>(batch.firstRow), half = static_cast<std::size_t>(batch.sides / 2);
-    for (const double sign : {1.0, -1.0}) {
-      for (std::size_t k = 0; k < half; ++k) {
-        table_.weights.push_back((table_.weights[row + k] + sign * table_.weights[row + k + half]) / 2);
-      }
-    }
-  }
 
   std::mt19937 random_;
   Far::LevelTable table_;
@@ -115,7 +114,7 @@ Far::LimitRows randomLimits(std::int32_t sourceCount, const std::vector<TableSha
   std::uniform_real_distribution<double> weight(-1, 1);
   Far::LimitRows rows;
   rows.sourceCount = sourceCount;
-  for (const auto& [sides, count] : batches) {
+  for (const auto& [sides, count, mirrored] : batches) {
     rows.batches.push_back({.sides = sides,
                             .count = count,
                             .firstIndex = sizeOf(rows.indices),

@@ -14,6 +14,7 @@ struct TableShape {
   std::int32_t sourceCount = 1000;
   struct Faces {
     std::int32_t sides, count;
+    bool mirrored = false;  ///< the row is its own mirror image about an edge: the form of quads and hexagons
   };
   std::vector<Faces> circulants{};
   std::vector<std::int32_t> projected{};      ///< corners of each large face

@@ -29,6 +29,11 @@ TEST_F(BatchesTest, CirculantsOfEverySideCount) {
   }
 }
 
+TEST_F(BatchesTest, CirculantsWithFormsOfTheirOwn) {
+  EXPECT_TRUE(agree({.circulants = {{4, 201, true}}})) << "quads";
+  EXPECT_TRUE(agree({.circulants = {{6, 201, true}}})) << "hexagons";
+}
+
 TEST_F(BatchesTest, OneFace) {
   EXPECT_TRUE(agree({.sourceCount = 3, .circulants = {{3, 1}}}));
 }
@@ -88,8 +93,10 @@ TEST_F(BatchesTest, OffsetsAndStrides) {
 }
 
 TEST_F(BatchesTest, ValuesOfAllMagnitudes) {
-  const Far::LevelTable table =
-      randomTable({.circulants = {{3, 300}, {6, 300}}, .projected = {300}, .dense = {{4, 300}}, .looseRows = 300});
+  const Far::LevelTable table = randomTable({.circulants = {{3, 300}, {4, 300, true}, {6, 300}, {6, 300, true}},
+                                             .projected = {300},
+                                             .dense = {{4, 300}},
+                                             .looseRows = 300});
   auto evaluator = makeEvaluator();
   auto session = Osd::VulkanSession::create(evaluator, *evaluator.upload(std::vector{&table}, nullptr));
   ASSERT_TRUE(session) << session.error().message;

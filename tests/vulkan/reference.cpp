@@ -36,7 +36,7 @@ T at(const std::vector<T>& values, std::int64_t i) {
   return values[static_cast<std::size_t>(i)];
 }
 
-void evenFace(const std::vector<float>& p, const float* form, std::vector<float>& out) {
+void evenOddFace(const std::vector<float>& p, const float* form, std::vector<float>& out) {
   const std::size_t m = p.size() / 2;
   for (std::size_t i = 0; i < m; ++i) {
     float e = 0, o = 0;
@@ -52,11 +52,40 @@ void evenFace(const std::vector<float>& p, const float* form, std::vector<float>
   }
 }
 
-void oddFace(const std::vector<float>& p, const float* row, std::vector<float>& out) {
+void directFace(const std::vector<float>& p, const float* row, std::vector<float>& out) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     float sum = row[0] * p[i];
     for (std::size_t k = 1; k < p.size(); ++k) sum = sum + row[k] * p[(i + k) % p.size()];
     out[i] = sum;
+  }
+}
+
+void quadFace(const std::vector<float>& p, const float* form, std::vector<float>& out) {
+  const float s = form[0] * ((p[0] + p[2]) + (p[1] + p[3]));
+  const std::array<float, 2> d{p[0] - p[2], p[1] - p[3]};
+  const std::array<float, 2> o{form[1] * (d[0] + d[1]), form[1] * (d[1] - d[0])};
+  out = {s + o[0], s + o[1], s - o[0], s - o[1]};
+}
+
+void hexagonFace(const std::vector<float>& p, const float* form, std::vector<float>& out) {
+  const std::array<float, 3> q{p[0] + p[3], p[1] + p[4], p[2] + p[5]};
+  const std::array<float, 3> d{p[0] - p[3], p[1] - p[4], p[2] - p[5]};
+  const float s = form[0] * ((q[0] + q[1]) + q[2]);
+  const std::array<float, 3> e{s - form[1] * q[2], s - form[1] * q[0], s - form[1] * q[1]};
+  const std::array<float, 3> o{form[2] * (d[0] + d[1]), form[2] * (d[1] + d[2]), form[2] * (d[2] - d[0])};
+  out = {e[0] + o[0], e[1] + o[1], e[2] + o[2], e[0] - o[0], e[1] - o[1], e[2] - o[2]};
+}
+
+void face(Far::CirculantForm which, const std::vector<float>& p, const float* form, std::vector<float>& out) {
+  switch (which) {
+    case Far::CirculantForm::direct:
+      return directFace(p, form, out);
+    case Far::CirculantForm::evenOdd:
+      return evenOddFace(p, form, out);
+    case Far::CirculantForm::quad:
+      return quadFace(p, form, out);
+    case Far::CirculantForm::hexagon:
+      return hexagonFace(p, form, out);
   }
 }
 
@@ -69,7 +98,7 @@ void circulant(const Far::LevelTable& table, const Far::CirculantBatch& batch, C
     for (std::size_t i = 0; i < sides; ++i) {
       p[i] = in[at(table.indices, batch.firstIndex + first + static_cast<std::int64_t>(i))];
     }
-    sides % 2 == 0 ? evenFace(p, form, result) : oddFace(p, form, result);
+    face(batch.form, p, form, result);
     for (std::size_t i = 0; i < sides; ++i) out[batch.firstOutput + first + static_cast<std::int64_t>(i)] = result[i];
   }
 }
