@@ -3,17 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <type_traits>
 
 #include "far/base/index.h"
 #include "far/base/parallel.h"
 #include "osd/cpu_kernels.h"
+#include "osd/plain_kernels.h"
+#include "osd/simd/level_kernels.h"
 
 namespace honeycomb::Osd {
 
 namespace {
-
-using Kernels::View;
 
 /// Points below which a batch stays on the calling thread: about 10 us of work, several times the cost of a task.
 constexpr std::int64_t kPointsPerTask = 4096;
@@ -28,101 +27,79 @@ void split(CpuEvaluator::Threads threads, std::int64_t count, std::int64_t point
   Parallel::forRange(0, count, std::max<std::int64_t>(1, kPointsPerTask / pointsPerItem), body);
 }
 
-/// Calls body(std::integral_constant<N>) with N = sides where a kernel is specialised for it, else 0.
-template <class Body>
-void forSides(std::int32_t sides, const Body& body) {
-  switch (sides) {
-    case 3:
-      return body(std::integral_constant<int, 3>{});
-    case 4:
-      return body(std::integral_constant<int, 4>{});
-    case 5:
-      return body(std::integral_constant<int, 5>{});
-    case 6:
-      return body(std::integral_constant<int, 6>{});
-    case 7:
-      return body(std::integral_constant<int, 7>{});
-    case 8:
-      return body(std::integral_constant<int, 8>{});
-    default:
-      return body(std::integral_constant<int, 0>{});
+/// The kernels by name: plain ones and those on vectors.
+struct PlainKernels {
+  static void circulantFaces(const auto&... arguments) { Plain::circulantFaces(arguments...); }
+  static void denseRows(const auto&... arguments) { Plain::denseRows(arguments...); }
+  static void projectedFaces(const auto&... arguments) { Plain::projectedFaces(arguments...); }
+  static void looseRows(const auto&... arguments) { Plain::looseRows(arguments...); }
+  static void stencilRows(const auto&... arguments) { Plain::stencilRows(arguments...); }
+};
+struct SimdKernels {
+  static void circulantFaces(const auto&... arguments) { Simd::circulantFaces(arguments...); }
+  static void denseRows(const auto&... arguments) { Simd::denseRows(arguments...); }
+  static void projectedFaces(const auto&... arguments) { Simd::projectedFaces(arguments...); }
+  static void looseRows(const auto&... arguments) { Simd::looseRows(arguments...); }
+  static void stencilRows(const auto&... arguments) { Simd::stencilRows(arguments...); }
+};
+
+/// Calls body(kernels) with those for the points' precision.
+template <class Real, class Body>
+void withKernels(CpuEvaluator::Instructions instructions, const Body& body) {
+  if constexpr (std::is_same_v<Real, float>) {
+    if (instructions == CpuEvaluator::Instructions::vectors) return body(SimdKernels{});
   }
+  body(PlainKernels{});
 }
 
-/// The same for the widths of dense rows: mid-points and edge points, corners with a central control vertex, the
-/// vertices of half-boxes, central control vertices of hexagons.
-template <class Body>
-void forWidth(std::int32_t width, const Body& body) {
-  switch (width) {
-    case 2:
-      return body(std::integral_constant<int, 2>{});
-    case 3:
-      return body(std::integral_constant<int, 3>{});
-    case 4:
-      return body(std::integral_constant<int, 4>{});
-    case 7:
-      return body(std::integral_constant<int, 7>{});
-    default:
-      return body(std::integral_constant<int, 0>{});
-  }
-}
-
-/// All batches of a level on `Width` values of each point. They write different points, so their order has no meaning.
-template <int Width, class Real>
-void evaluatePiece(CpuEvaluator::Threads threads, const Far::LevelTable& table, const View<const Real>& in,
-                   const View<Real>& out) {
+/// All batches of a level on a piece of each point. They write different points, so their order has no meaning.
+template <class Kernels, class Real>
+void evaluatePiece(CpuEvaluator::Threads threads, Kernels kernels, const Far::LevelTable& table,
+                   const Piece<Real>& piece) {
   for (const Far::CirculantBatch& batch : table.circulants) {
-    split(threads, batch.faceCount, batch.sides, [&](std::int64_t begin, std::int64_t end) {
-      forSides(batch.sides, [&](auto sides) {
-        Kernels::circulantFaces<decltype(sides)::value, Width>(table, batch, in, out, begin, end);
-      });
-    });
+    split(threads, batch.faceCount, batch.sides,
+          [&](std::int64_t begin, std::int64_t end) { kernels.circulantFaces(table, batch, piece, begin, end); });
   }
   for (const Far::DenseRows& batch : table.dense) {
-    split(threads, batch.rowCount, 1, [&](std::int64_t begin, std::int64_t end) {
-      forWidth(batch.width, [&](auto width) {
-        Kernels::denseRows<decltype(width)::value, Width>(table, batch, in, out, begin, end);
-      });
-    });
+    split(threads, batch.rowCount, 1,
+          [&](std::int64_t begin, std::int64_t end) { kernels.denseRows(table, batch, piece, begin, end); });
   }
   split(threads, static_cast<std::int64_t>(table.projected.size()), kPointsPerTask,
-        [&](std::int64_t begin, std::int64_t end) {
-          for (std::int64_t f = begin; f < end; ++f)
-            Kernels::projectedFace<Width>(table, table.projected[at(f)], in, out);
-        });
+        [&](std::int64_t begin, std::int64_t end) { kernels.projectedFaces(table, piece, begin, end); });
   split(threads, table.loose.rowCount(), 1,
-        [&](std::int64_t begin, std::int64_t end) { Kernels::looseRows<Width>(table, in, out, begin, end); });
+        [&](std::int64_t begin, std::int64_t end) { kernels.looseRows(table, piece, begin, end); });
 }
 
-/// Calls piece(std::integral_constant<Width>, in, out) for points of any length, in pieces of up to four values.
-template <class Real, class Piece>
-void forPieces(const Points<Real>& source, const PointsOut<Real>& target, const Piece& piece) {
-  for (std::int32_t done = 0; done < source.desc.length; done += Kernels::kPiece) {
-    const View<const Real> in{source.data.data() + source.desc.offset + done, source.desc.stride};
-    const View<Real> out{target.data.data() + target.desc.offset + done, target.desc.stride};
-    switch (std::min(Kernels::kPiece, source.desc.length - done)) {
-      case 1:
-        piece(std::integral_constant<int, 1>{}, in, out);
-        break;
-      case 2:
-        piece(std::integral_constant<int, 2>{}, in, out);
-        break;
-      case 3:
-        piece(std::integral_constant<int, 3>{}, in, out);
-        break;
-      default:
-        piece(std::integral_constant<int, 4>{}, in, out);
-        break;
-    }
+/// Calls body(piece) for points of any length, `sourceCount` of them to read. `padded`: the target's points have room
+/// for whole pieces.
+template <class Real, class Body>
+void forPieces(const Points<Real>& source, std::int32_t sourceCount, const PointsOut<Real>& target, bool padded,
+               const Body& body) {
+  for (std::int32_t done = 0; done < source.desc.length; done += kPiece) {
+    const std::int64_t first = source.desc.offset + done;
+    const std::int64_t wholeEnd = first + std::int64_t{sourceCount - 1} * source.desc.stride + kPiece;
+    Piece<Real> piece;
+    piece.in = {source.data.data() + first, source.desc.stride};
+    piece.out = {target.data.data() + target.desc.offset + done, target.desc.stride};
+    piece.width = std::min(kPiece, source.desc.length - done);
+    if (wholeEnd > static_cast<std::int64_t>(source.data.size())) piece.narrowPoint = sourceCount - 1;
+    piece.padded = padded;
+    body(piece);
   }
 }
 
 template <class Real>
-void evaluateLevel(CpuEvaluator::Threads threads, const Far::LevelTable& table, const Points<Real>& source,
-                   const PointsOut<Real>& target) {
-  forPieces(source, target, [&](auto width, const View<const Real>& in, const View<Real>& out) {
-    evaluatePiece<decltype(width)::value>(threads, table, in, out);
+void evaluateLevel(CpuEvaluator::Threads threads, CpuEvaluator::Instructions instructions, const Far::LevelTable& table,
+                   const Points<Real>& source, const PointsOut<Real>& target, bool padded = false) {
+  forPieces(source, table.sourceCount, target, padded, [&](const Piece<Real>& piece) {
+    withKernels<Real>(instructions, [&](auto kernels) { evaluatePiece(threads, kernels, table, piece); });
   });
+}
+
+/// Points between levels are padded to whole pieces where vectors read and write them.
+BufferDescriptor scratchDescriptor(CpuEvaluator::Instructions instructions, std::int32_t length) {
+  if (instructions == CpuEvaluator::Instructions::plain || length < 3) return {0, length, length};
+  return {0, length, (length + kPiece - 1) / kPiece * kPiece};
 }
 
 template <class Real>
@@ -194,7 +171,7 @@ template <class Real>
 Result<void> CpuEvaluator::evaluate(const Far::LevelTable& table, const Points<Real>& source,
                                     const PointsOut<Real>& target) {
   if (auto ok = check(source, table.sourceCount, target, table.targetCount); !ok) return ok;
-  evaluateLevel(threads_, table, source, target);
+  evaluateLevel(threads_, instructions_, table, source, target);
   return {};
 }
 
@@ -210,17 +187,17 @@ Result<void> CpuEvaluator::evaluate(const Far::Refinement& refinement, std::int3
       !ok) {
     return ok;
   }
-  const std::int32_t length = control.desc.length;
+  const BufferDescriptor between = scratchDescriptor(instructions_, control.desc.length);
   Points<Real> source = control;
   for (std::int32_t k = 1; k < level; ++k) {
     const Far::LevelTable& table = refinement.level(k).table;
     std::vector<Real>& points = scratch<Real>(k % 2);
-    const std::size_t size = at(table.targetCount) * at(length);
+    const std::size_t size = at(table.targetCount) * at(between.stride);
     if (points.size() < size) points.resize(size);
-    evaluateLevel(threads_, table, source, PointsOut<Real>{points, {0, length, length}});
-    source = {points, {0, length, length}};
+    evaluateLevel(threads_, instructions_, table, source, PointsOut<Real>{points, between}, between.stride >= kPiece);
+    source = {points, between};
   }
-  evaluateLevel(threads_, refinement.level(level).table, source, refined);
+  evaluateLevel(threads_, instructions_, refinement.level(level).table, source, refined);
   return {};
 }
 
@@ -233,7 +210,7 @@ Result<void> CpuEvaluator::vertexLimits(const Far::LimitTable& limits, const Poi
   std::vector<Real>& child = scratch<Real>(0);
   const std::size_t size = 3 * at(limits.child.targetCount);
   if (child.size() < size) child.resize(size);
-  evaluateLevel(threads_, limits.child, points, PointsOut<Real>{child, {0, 3, 3}});
+  evaluateLevel(threads_, instructions_, limits.child, points, PointsOut<Real>{child, {0, 3, 3}});
   evaluateFrames(threads_, limits.vertices, View<const Real>{child.data(), 3}, view(positions), view(normals));
   evaluateFrames(threads_, limits.verticesHere, view(points), view(positions), view(normals));
   return {};
@@ -256,9 +233,10 @@ Result<void> CpuEvaluator::evaluate(const Far::StencilTable& table, const Points
     return fail(ErrorCode::invalidOption, "the stencil table has no tangents; build one of limits");
   }
   if (auto ok = check(control, table.sourceCount, target, table.rowCount()); !ok) return ok;
-  forPieces(control, target, [&](auto width, const View<const Real>& in, const View<Real>& out) {
-    split(threads_, table.rowCount(), kPointsPerStencil, [&](std::int64_t begin, std::int64_t end) {
-      Kernels::stencilRows<decltype(width)::value>(table, which, in, out, begin, end);
+  forPieces(control, table.sourceCount, target, false, [&](const Piece<Real>& piece) {
+    withKernels<Real>(instructions_, [&](auto kernels) {
+      split(threads_, table.rowCount(), kPointsPerStencil,
+            [&](std::int64_t begin, std::int64_t end) { kernels.stencilRows(table, which, piece, begin, end); });
     });
   });
   return {};

@@ -19,7 +19,8 @@ namespace honeycomb::Osd {
 class CpuEvaluator {
  public:
   enum class Threads { one, all };
-  explicit CpuEvaluator(Threads threads) : threads_(threads) {}
+  enum class Instructions { plain, vectors };  ///< vectors: single precision only; double is plain in either
+  CpuEvaluator(Threads threads, Instructions instructions) : threads_(threads), instructions_(instructions) {}
 
   /// One level: reads table.sourceCount points, writes table.targetCount. Source and target must not overlap.
   template <class Real>
@@ -52,6 +53,7 @@ class CpuEvaluator {
   std::vector<Real>& scratch(std::int32_t which);
 
   Threads threads_;
+  Instructions instructions_;
   std::vector<float> single_[2];
   std::vector<double> double_[2];
 };
@@ -59,13 +61,19 @@ class CpuEvaluator {
 /// The reference: one thread, plain loops.
 class SerialEvaluator : public CpuEvaluator {
  public:
-  SerialEvaluator() : CpuEvaluator(Threads::one) {}
+  SerialEvaluator() : CpuEvaluator(Threads::one, Instructions::plain) {}
 };
 
-/// The same kernels over ranges of faces and rows on all threads of the caller's oneTBB arena.
+/// One thread, in single precision by the best vector instructions that the CPU has when the program runs.
+class SimdEvaluator : public CpuEvaluator {
+ public:
+  SimdEvaluator() : CpuEvaluator(Threads::one, Instructions::vectors) {}
+};
+
+/// What SimdEvaluator does, over ranges of faces and rows on all threads of the caller's oneTBB arena.
 class TbbEvaluator : public CpuEvaluator {
  public:
-  TbbEvaluator() : CpuEvaluator(Threads::all) {}
+  TbbEvaluator() : CpuEvaluator(Threads::all, Instructions::vectors) {}
 };
 
 }  // namespace honeycomb::Osd

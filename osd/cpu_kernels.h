@@ -11,22 +11,11 @@
 #include "far/tables/level_table.h"
 #include "far/tables/limit_table.h"
 #include "far/tables/stencil_table.h"
-#include "osd/buffer_descriptor.h"
+#include "osd/piece.h"
 
 /// The arithmetic of every batch kind, once, for the CPU. The order of operations is that written down with the
 /// batches; shaders/*.comp do the same under the same names.
 namespace honeycomb::Osd::Kernels {
-
-/// A buffer of points as kernels see it.
-template <class Real>
-struct View {
-  Real* data;  ///< the first value of point 0
-  std::int64_t stride;
-  Real* point(std::int32_t i) const { return data + i * stride; }
-};
-
-/// Values of a point handled together: primvars of any length are cut into pieces of at most this many.
-constexpr std::int32_t kPiece = 4;
 
 template <int Width, class Real>
 std::array<std::remove_const_t<Real>, at(Width)> load(Real* p) {

@@ -63,19 +63,23 @@ Osd::BufferDescriptor packed(std::int32_t length) {
   return {0, length, length};
 }
 
-/// Serial and threaded, the last level from the control points: the same bits in buffers of exact size.
+/// Serial, on vectors and threaded, the last level from the control points: the same bits in buffers of exact size.
 template <class Real>
 void compareEvaluators(const Far::Refinement& refinement, Random& random) {
   const std::int32_t last = refinement.levelCount();
   for (const std::int32_t length : {1, 2, 3, 4, 7}) {
     Buffers<Real> serial(refinement.level(0).pointCount(), refinement.last().pointCount(),
                          randomDescriptor(random, length), randomDescriptor(random, length), random);
+    Buffers<Real> vectors = serial;
     Buffers<Real> threaded = serial;
     Osd::SerialEvaluator one;
+    Osd::SimdEvaluator simd;
     Osd::TbbEvaluator all;
     ASSERT_TRUE(one.evaluate(refinement, last, serial.in(), serial.out()).has_value());
+    ASSERT_TRUE(simd.evaluate(refinement, last, vectors.in(), vectors.out()).has_value());
     ASSERT_TRUE(all.evaluate(refinement, last, threaded.in(), threaded.out()).has_value());
-    ASSERT_TRUE(sameBits(serial.target, threaded.target)) << "length " << length;
+    ASSERT_TRUE(sameBits(serial.target, vectors.target)) << "vectors, length " << length;
+    ASSERT_TRUE(sameBits(serial.target, threaded.target)) << "threads, length " << length;
   }
 }
 
@@ -128,10 +132,15 @@ TYPED_TEST(Evaluators, GiveTheSameLimitBits) {
       return out;
     };
     Osd::SerialEvaluator one;
+    Osd::SimdEvaluator simd;
     Osd::TbbEvaluator all;
     const auto serial = evaluate(one);
+    const auto vectors = evaluate(simd);
     const auto threaded = evaluate(all);
-    for (std::size_t i = 0; i < serial.size(); ++i) EXPECT_TRUE(sameBits(serial[i], threaded[i])) << "output " << i;
+    for (std::size_t i = 0; i < serial.size(); ++i) {
+      EXPECT_TRUE(sameBits(serial[i], vectors[i])) << "vectors, output " << i;
+      EXPECT_TRUE(sameBits(serial[i], threaded[i])) << "threads, output " << i;
+    }
   }
 }
 

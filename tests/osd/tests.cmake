@@ -5,7 +5,8 @@ honeycomb_test(osd_tests
     ${CMAKE_CURRENT_LIST_DIR}/buffer_errors_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/evaluators_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/row_tables_test.cpp
-  LIBRARIES honeycomb::test_support honeycomb::far honeycomb::osd honeycomb::io)
+    ${CMAKE_CURRENT_LIST_DIR}/simd_test.cpp
+  LIBRARIES honeycomb::test_support honeycomb::far honeycomb::osd honeycomb::io hwy::hwy)
 
 if(HONEYCOMB_SANITIZE STREQUAL "thread")
   honeycomb_program(seeded_race ${CMAKE_CURRENT_LIST_DIR}/seeded_race.cpp)

@@ -1,0 +1,123 @@
+#include "osd/plain_kernels.h"
+
+#include <type_traits>
+
+#include "osd/cpu_kernels.h"
+
+namespace honeycomb::Osd::Plain {
+
+namespace {
+
+template <int N>
+using Int = std::integral_constant<int, N>;
+
+/// Calls body(Int<Width>) with the width of a piece.
+template <class Body>
+void forPieceWidth(std::int32_t width, const Body& body) {
+  switch (width) {
+    case 1:
+      return body(Int<1>{});
+    case 2:
+      return body(Int<2>{});
+    case 3:
+      return body(Int<3>{});
+    default:
+      return body(Int<4>{});
+  }
+}
+
+/// Calls body(Int<N>) with N = sides where a kernel is specialised for it, else 0.
+template <class Body>
+void forSides(std::int32_t sides, const Body& body) {
+  switch (sides) {
+    case 3:
+      return body(Int<3>{});
+    case 4:
+      return body(Int<4>{});
+    case 5:
+      return body(Int<5>{});
+    case 6:
+      return body(Int<6>{});
+    case 7:
+      return body(Int<7>{});
+    case 8:
+      return body(Int<8>{});
+    default:
+      return body(Int<0>{});
+  }
+}
+
+/// The same for the widths of dense rows: mid-points and edge points, corners with a central control vertex, the
+/// vertices of half-boxes, central control vertices of hexagons.
+template <class Body>
+void forWidth(std::int32_t width, const Body& body) {
+  switch (width) {
+    case 2:
+      return body(Int<2>{});
+    case 3:
+      return body(Int<3>{});
+    case 4:
+      return body(Int<4>{});
+    case 7:
+      return body(Int<7>{});
+    default:
+      return body(Int<0>{});
+  }
+}
+
+}  // namespace
+
+template <class Real>
+void circulantFaces(const Far::LevelTable& table, const Far::CirculantBatch& batch, const Piece<Real>& piece,
+                    std::int64_t begin, std::int64_t end) {
+  forPieceWidth(piece.width, [&](auto width) {
+    forSides(batch.sides, [&](auto sides) {
+      Kernels::circulantFaces<sides(), width()>(table, batch, piece.in, piece.out, begin, end);
+    });
+  });
+}
+
+template <class Real>
+void denseRows(const Far::LevelTable& table, const Far::DenseRows& batch, const Piece<Real>& piece, std::int64_t begin,
+               std::int64_t end) {
+  forPieceWidth(piece.width, [&](auto width) {
+    forWidth(batch.width, [&](auto entries) {
+      Kernels::denseRows<entries(), width()>(table, batch, piece.in, piece.out, begin, end);
+    });
+  });
+}
+
+template <class Real>
+void projectedFaces(const Far::LevelTable& table, const Piece<Real>& piece, std::int64_t begin, std::int64_t end) {
+  forPieceWidth(piece.width, [&](auto width) {
+    for (std::int64_t f = begin; f < end; ++f)
+      Kernels::projectedFace<width()>(table, table.projected[at(f)], piece.in, piece.out);
+  });
+}
+
+template <class Real>
+void looseRows(const Far::LevelTable& table, const Piece<Real>& piece, std::int64_t begin, std::int64_t end) {
+  forPieceWidth(piece.width, [&](auto width) { Kernels::looseRows<width()>(table, piece.in, piece.out, begin, end); });
+}
+
+template <class Real>
+void stencilRows(const Far::StencilTable& table, Far::StencilWeights which, const Piece<Real>& piece,
+                 std::int64_t begin, std::int64_t end) {
+  forPieceWidth(piece.width,
+                [&](auto width) { Kernels::stencilRows<width()>(table, which, piece.in, piece.out, begin, end); });
+}
+
+#define HONEYCOMB_INSTANTIATE(Real)                                                                                  \
+  template void circulantFaces(const Far::LevelTable&, const Far::CirculantBatch&, const Piece<Real>&, std::int64_t, \
+                               std::int64_t);                                                                        \
+  template void denseRows(const Far::LevelTable&, const Far::DenseRows&, const Piece<Real>&, std::int64_t,           \
+                          std::int64_t);                                                                             \
+  template void projectedFaces(const Far::LevelTable&, const Piece<Real>&, std::int64_t, std::int64_t);              \
+  template void looseRows(const Far::LevelTable&, const Piece<Real>&, std::int64_t, std::int64_t);                   \
+  template void stencilRows(const Far::StencilTable&, Far::StencilWeights, const Piece<Real>&, std::int64_t,         \
+                            std::int64_t);
+HONEYCOMB_INSTANTIATE(float)
+HONEYCOMB_INSTANTIATE(double)
+#undef HONEYCOMB_INSTANTIATE
+
+}  // namespace honeycomb::Osd::Plain
