@@ -41,16 +41,22 @@ class CpuSurfaceEvaluator : public SurfaceEvaluator {
   Osd::CpuEvaluator evaluator_;
 };
 
-class SerialBackend : public Backend {
+/// One thread: SerialEvaluator or SimdEvaluator.
+template <class Evaluator>
+class OneThreadBackend : public Backend {
  public:
-  std::string_view name() const override { return "serial"; }
+  explicit OneThreadBackend(std::string_view name) : name_(name) {}
+  std::string_view name() const override { return name_; }
   Result<std::unique_ptr<SurfaceEvaluator>> evaluator(const Far::Refinement& refinement, Normals normals) override {
-    return std::make_unique<CpuSurfaceEvaluator>(refinement, normals, Osd::SerialEvaluator());
+    return std::make_unique<CpuSurfaceEvaluator>(refinement, normals, Evaluator());
   }
   int framesAtOnce() const override { return 1; }
   Result<std::unique_ptr<SurfaceEvaluator>> frameEvaluator(const Far::Refinement& refinement) override {
     return evaluator(refinement, Normals::none);
   }
+
+ private:
+  std::string_view name_;
 };
 
 class TbbBackend : public Backend {
@@ -62,14 +68,18 @@ class TbbBackend : public Backend {
   int framesAtOnce() const override { return Parallel::threadCount(); }
   // A frame a task: threads that work on frames of their own wait for nobody.
   Result<std::unique_ptr<SurfaceEvaluator>> frameEvaluator(const Far::Refinement& refinement) override {
-    return std::make_unique<CpuSurfaceEvaluator>(refinement, Normals::none, Osd::SerialEvaluator());
+    return std::make_unique<CpuSurfaceEvaluator>(refinement, Normals::none, Osd::SimdEvaluator());
   }
 };
 
 }  // namespace
 
 Result<std::unique_ptr<Backend>> openSerial() {
-  return std::make_unique<SerialBackend>();
+  return std::make_unique<OneThreadBackend<Osd::SerialEvaluator>>("serial");
+}
+
+Result<std::unique_ptr<Backend>> openSimd() {
+  return std::make_unique<OneThreadBackend<Osd::SimdEvaluator>>("simd");
 }
 
 Result<std::unique_ptr<Backend>> openTbb() {

@@ -56,6 +56,7 @@ std::span<const BackendEntry> backends();
 
 /// The openers behind the table.
 Result<std::unique_ptr<Backend>> openSerial();
+Result<std::unique_ptr<Backend>> openSimd();
 Result<std::unique_ptr<Backend>> openTbb();
 Result<std::unique_ptr<Backend>> openVulkan();
 

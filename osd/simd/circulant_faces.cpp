@@ -24,8 +24,8 @@ using FacesVector = hn::Vec<Faces>;
 constexpr int kFaces = kBlocks<Faces>;
 
 /// Is the group of faces at `index` one for the plain kernels?
-HWY_INLINE bool readsNarrowPoint(const Run& run, const std::int32_t* index) {
-  return run.narrowPoint >= 0 && contains(index, std::int64_t{kFaces} * run.inputs, run.narrowPoint);
+HWY_INLINE bool readsNarrowPoint(const Run& run, const std::int32_t* index, int sides) {
+  return run.narrowPoint >= 0 && contains(index, std::int64_t{kFaces} * sides, run.narrowPoint);
 }
 
 /// Groups end before the last face where a store of the last point would pass its end.
@@ -34,15 +34,16 @@ HWY_INLINE std::int64_t lastGroup(const Run& run) {
   return run.count - kFaces - (kAccess == Access::overlapping ? 1 : 0);
 }
 
+// Runs come by value: stores to points of unknown whereabouts then leave their numbers in registers.
 template <Access kAccess, Far::CirculantForm kForm, int N>
-Progress facesOf(const Run& run) {
+Progress facesOf(const Run run) {
   const Faces d;
   const Circulant<kForm, N, Faces> circulant(d, run.weights);
   const std::int32_t* index = run.index;
   float* target = run.target;
   std::int64_t g = 0;
   for (; g <= lastGroup<kAccess>(run); g += kFaces) {
-    if (readsNarrowPoint(run, index)) return {g, kFaces};
+    if (readsNarrowPoint(run, index, N)) return {g, kFaces};
     FacesVector p[N];
     FacesVector out[N];
     HWY_UNROLL(8)
@@ -56,13 +57,13 @@ Progress facesOf(const Run& run) {
 }
 
 template <Access kAccess>
-Progress facesOfAnySides(const Run& run) {
+Progress facesOfAnySides(const Run run) {
   const Faces d;
   const std::int32_t* index = run.index;
   float* target = run.target;
   std::int64_t g = 0;
   for (; g <= lastGroup<kAccess>(run); g += kFaces) {
-    if (readsNarrowPoint(run, index)) return {g, kFaces};
+    if (readsNarrowPoint(run, index, run.inputs)) return {g, kFaces};
     FacesVector p[Far::kLargestCirculant];
     FacesVector out[Far::kLargestCirculant];
     for (int i = 0; i < run.inputs; ++i) {

@@ -45,7 +45,7 @@ HWY_INLINE BlockVector loadPoint(const float* p) {
 
 /// Points index[0], index[step], .. index[(K-1) step] of a buffer whose point i is at data + i*stride.
 template <Access kAccess, class D>
-HWY_INLINE hn::Vec<D> loadPoints(D d, const float* data, std::int64_t stride, const std::int32_t* index,
+HWY_INLINE hn::Vec<D> loadPoints([[maybe_unused]] D d, const float* data, std::int64_t stride, const std::int32_t* index,
                                  std::int64_t step) {
   if constexpr (kBlocks<D> == 1) {
     return loadPoint<kAccess>(data + index[0] * stride);
@@ -58,7 +58,7 @@ HWY_INLINE hn::Vec<D> loadPoints(D d, const float* data, std::int64_t stride, co
 
 /// Block k of a vector.
 template <int k, class D>
-HWY_INLINE BlockVector blockOf(D d, hn::Vec<D> v) {
+HWY_INLINE BlockVector blockOf([[maybe_unused]] D d, hn::Vec<D> v) {
   if constexpr (kBlocks<D> == 1) {
     return v;
   } else {

@@ -25,7 +25,7 @@ constexpr int kRows = kBlocks<Rows>;
 
 /// N entries a row; 0: run.inputs.
 template <Access kAccess, int N>
-Progress denseOf(const Run& run) {
+Progress denseOf(const Run run) {
   const Rows d;
   const int n = N > 0 ? N : run.inputs;
   const std::int64_t last = run.count - kRows - (kAccess == Access::overlapping ? 1 : 0);
@@ -60,7 +60,7 @@ Progress denseByWidth(const Run& run) {
 }
 
 template <Access kAccess>
-Progress looseOf(const RowRun& run) {
+Progress looseOf(const RowRun run) {
   const Block d;
   // Rows that write one point after the other leave the last to the plain kernels, as groups of faces do.
   const std::int64_t end = run.count - (kAccess == Access::overlapping ? 1 : 0);

@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadOption{"Boundary", {"--boundary", "natural"}, "brick, eq16, drop"},
                     BadOption{"Corners", {"--corners", "all"}, "none, valence2"},
                     BadOption{"Scheme", {"--scheme", "polish"}, "akleman, zhang-wang, half-box"},
-                    BadOption{"BackendSimd", {"--backend", "simd"}, "auto, serial, tbb, vulkan"},
+                    BadOption{"BackendCuda", {"--backend", "cuda"}, "auto, serial, simd, tbb, vulkan"},
                     BadOption{"Precision", {"--precision", "half"}, "single, double"},
                     BadOption{"DoubleOnVulkan", {"--precision", "double", "--backend", "vulkan"}, "serial or tbb"},
                     BadOption{"Normals", {"--normals", "fast"}, "none, exact"},
@@ -95,7 +95,7 @@ TEST_F(CommandLineTest, HelpAndVersionGoToStandardOutput) {
 TEST_F(CommandLineTest, HelpShowsDefaultsAndChoices) {
   const std::string help = run({"refine", "--help"}).out;
   for (const std::string part :
-       {"--levels INT=2", "--tension TEXT=paper", "brick, eq16, drop", "auto, serial, tbb, vulkan"})
+       {"--levels INT=2", "--tension TEXT=paper", "brick, eq16, drop", "auto, serial, simd, tbb, vulkan"})
     EXPECT_THAT(help, HasSubstr(part));
 }
 

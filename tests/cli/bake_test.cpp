@@ -43,7 +43,7 @@ class BakeTest : public Workplace {
 TEST_F(BakeTest, EachFrameEqualsThatFrameRefinedAlone) {
   const std::string obj = torusObj(10);
   const std::string in = file("torus.obj", obj), frames = cacheOf(obj, 7, 100);
-  for (const std::string backend : {"serial", "tbb"}) {
+  for (const std::string backend : {"serial", "simd", "tbb"}) {
     expectBaked(
         {"bake", in, path("out.pc2"), "--cache", frames, "--levels", "3", "--backend", backend, "--threads", "3"});
     for (int f = 0; f < 7; ++f)

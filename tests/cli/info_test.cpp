@@ -103,7 +103,7 @@ TEST_F(InfoTest, EveryDefectIsListedWithItsLine) {
 
 TEST_F(InfoTest, MachineNamesBackendsAndLimits) {
   const json machine = info({});
-  EXPECT_EQ(machine.at("backends"), json({"auto", "serial", "tbb", "vulkan"}));
+  EXPECT_EQ(machine.at("backends"), json({"auto", "serial", "simd", "tbb", "vulkan"}));
   EXPECT_GT(machine.at("threads"), 0);
   EXPECT_EQ(machine.at("limits").at("half_edges"), 2147483647);
   EXPECT_TRUE(machine.at("vulkan_devices").is_array());

@@ -53,17 +53,19 @@ TEST_F(RefineTest, FirstLevelOfTheCubeHasThePapersWeights) {
   EXPECT_EQ(found, 24);
 }
 
-TEST_F(RefineTest, SerialAndTbbGiveTheSameFile) {
+TEST_F(RefineTest, SerialSimdAndTbbGiveTheSameFile) {
   const std::vector<std::pair<std::string, std::string>> meshes{{file("torus.obj", torusObj(24)), "4"},
                                                                 {file("grid.obj", gridObj(9)), "4"}};
   for (const auto& [in, levels] : meshes)
     for (const std::string precision : {"single", "double"}) {
       const std::vector<std::string> options{"--levels", levels, "--precision", precision, "--normals", "exact"};
-      auto serial = options, tbb = options;
+      auto serial = options, simd = options, tbb = options;
       serial.insert(serial.end(), {"--backend", "serial"});
+      simd.insert(simd.end(), {"--backend", "simd"});
       tbb.insert(tbb.end(), {"--backend", "tbb", "--threads", "4"});
       const std::string reference = refine(in, serial);
       EXPECT_GT(reference.size(), 100000U);
+      EXPECT_TRUE(refine(in, simd) == reference) << in << " " << precision;
       EXPECT_TRUE(refine(in, tbb) == reference) << in << " " << precision;
       EXPECT_TRUE(refine(in, options) == reference) << "auto: " << in << " " << precision;
     }
