@@ -23,6 +23,7 @@ struct Piece {
   std::int32_t width = 3;         ///< values a point, 1..kPiece
   std::int32_t narrowPoint = -1;  ///< the source point behind whose values the buffer ends before kPiece; -1: none
   bool padded = false;            ///< kPiece values may be written at every target point
+  bool streamed = false;          ///< the target is too large to be found in a cache later
 };
 
 }  // namespace honeycomb::Osd

@@ -11,6 +11,8 @@
 #include "osd/simd/run.h"
 
 #if HWY_ONCE
+#include <hwy/cache_control.h>
+
 #include "osd/plain_kernels.h"
 #endif
 
@@ -102,6 +104,8 @@ Progress faces(Far::CirculantForm form, const Run& run) {
   switch (run.access) {
     case Access::whole:
       return facesBySides<Access::whole>(form, run);
+    case Access::streamed:
+      return facesBySides<Access::streamed>(form, run);
     case Access::overlapping:
       return facesBySides<Access::overlapping>(form, run);
     case Access::three:
@@ -135,7 +139,7 @@ void circulantFaces(const Far::LevelTable& table, const Far::CirculantBatch& bat
     const Run run{.source = piece.in.data,
                   .sourceStride = piece.in.stride,
                   .narrowPoint = piece.narrowPoint,
-                  .access = accessOf(piece, true),
+                  .access = faceAccessOf(piece),
                   .index = table.indices.data() + batch.firstIndex + from * batch.sides,
                   .weights = table.weightsSingle.data() + batch.firstForm,
                   .target = piece.out.data + (batch.firstOutput + from * batch.sides) * piece.out.stride,

@@ -45,8 +45,8 @@ HWY_INLINE BlockVector loadPoint(const float* p) {
 
 /// Points index[0], index[step], .. index[(K-1) step] of a buffer whose point i is at data + i*stride.
 template <Access kAccess, class D>
-HWY_INLINE hn::Vec<D> loadPoints([[maybe_unused]] D d, const float* data, std::int64_t stride, const std::int32_t* index,
-                                 std::int64_t step) {
+HWY_INLINE hn::Vec<D> loadPoints([[maybe_unused]] D d, const float* data, std::int64_t stride,
+                                 const std::int32_t* index, std::int64_t step) {
   if constexpr (kBlocks<D> == 1) {
     return loadPoint<kAccess>(data + index[0] * stride);
   } else {
@@ -71,13 +71,16 @@ HWY_INLINE BlockVector blockOf([[maybe_unused]] D d, hn::Vec<D> v) {
   }
 }
 
-/// Writes a point's values to p. Access::whole and overlapping write four floats.
+/// Writes a point's values to p. Access::whole, streamed and overlapping write four floats. Streamed ones reach other
+/// threads by hwy::FlushStream().
 template <Access kAccess>
 HWY_INLINE void storePoint(BlockVector v, float* p) {
   const hn::FixedTag<float, 1> one;
   const hn::FixedTag<float, 2> two;
   if constexpr (kAccess == Access::whole || kAccess == Access::overlapping) {
     hn::StoreU(v, Block(), p);
+  } else if constexpr (kAccess == Access::streamed) {
+    hn::Stream(v, Block(), p);
   } else if constexpr (kAccess == Access::one) {
     hn::StoreU(hn::LowerHalf(one, hn::LowerHalf(two, v)), one, p);
   } else {

@@ -81,4 +81,10 @@ inline Access accessOf(const Piece<float>& piece, bool ascending) {
   return ascending && piece.out.stride == piece.width ? Access::overlapping : Access::three;
 }
 
+/// The same for faces, nearly all points of a level, which are streamed if the target is that large.
+inline Access faceAccessOf(const Piece<float>& piece) {
+  const bool aligned = reinterpret_cast<std::uintptr_t>(piece.out.data) % 16 == 0 && piece.out.stride == kPiece;
+  return piece.streamed && aligned && piece.width == kPiece ? Access::streamed : accessOf(piece, true);
+}
+
 }  // namespace honeycomb::Osd::Simd

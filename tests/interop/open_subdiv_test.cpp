@@ -12,6 +12,7 @@
 #include "osd/cpu_evaluator.h"
 #include "osd/interop/schemes.h"
 #include "osd/interop/stencil_tables.h"
+#include "tests/support/random_tables.h"
 #include "tests/support/refined.h"
 #include "tests/support/shapes.h"
 #include "tests/support/table_rows.h"
@@ -157,6 +158,27 @@ TEST(Hybrid, HoneycombFollowsEitherScheme) {
   }
 }
 
+TEST(Hybrid, VectorsAndThreadsGiveTheBitsOfThePlainLoops) {
+  for (const Far::Scheme& first : {Osd::catmullClark(), Osd::loop()}) {
+    SCOPED_TRACE(first.name);
+    const PolyMesh mesh = tetrahedron();
+    const Far::Refinement refinement = chain(mesh, {first, schemeCase(NamedTension::paper).scheme});
+    for (const std::int32_t length : {2, 3, 4}) {
+      const Osd::BufferDescriptor packed{0, length, length};
+      const auto control = randomNumbers(packed.extent(refinement.level(0).pointCount()));
+      const auto evaluated = [&](Osd::CpuEvaluator evaluator) {
+        std::vector<float> out(static_cast<std::size_t>(packed.extent(refinement.last().pointCount())));
+        EXPECT_TRUE(
+            evaluator.evaluate(refinement, 2, Osd::Points<float>{control, packed}, Osd::PointsOut<float>{out, packed}));
+        return out;
+      };
+      const auto expected = evaluated(Osd::SerialEvaluator());
+      EXPECT_EQ(evaluated(Osd::SimdEvaluator()), expected) << "length " << length;
+      EXPECT_EQ(evaluated(Osd::TbbEvaluator()), expected) << "length " << length;
+    }
+  }
+}
+
 TEST(Hybrid, LimitsNeedAnotherLastScheme) {
   const SchemeCase honeycomb = schemeCase(NamedTension::paper);
   const Far::Topology topology = toTopology(cube());
@@ -185,10 +207,14 @@ void expectNear(const std::vector<float>& a, const std::vector<float>& b) {
 
 template <class Table>
 std::vector<float> evaluatedHere(const Table& table, std::int32_t targets, const std::vector<float>& control) {
-  std::vector<float> out(3 * static_cast<std::size_t>(targets));
-  Osd::SerialEvaluator evaluator;
-  const auto done = evaluator.evaluate(table, Osd::Points<float>{control, {}}, Osd::PointsOut<float>{out, {}});
-  EXPECT_TRUE(done);
+  const auto evaluated = [&](Osd::CpuEvaluator evaluator) {
+    std::vector<float> out(3 * static_cast<std::size_t>(targets));
+    EXPECT_TRUE(evaluator.evaluate(table, Osd::Points<float>{control, {}}, Osd::PointsOut<float>{out, {}}));
+    return out;
+  };
+  const std::vector<float> out = evaluated(Osd::SerialEvaluator());
+  EXPECT_EQ(evaluated(Osd::SimdEvaluator()), out);
+  EXPECT_EQ(evaluated(Osd::TbbEvaluator()), out);
   return out;
 }
 

@@ -141,6 +141,27 @@ TEST(Simd, AllKindsTogether) {
                                           .looseRows = 77}));
 }
 
+TEST(Simd, TargetsTooLargeForACache) {
+  const Far::LevelTable table =
+      randomTable({.sourceCount = 3000, .circulants = {{5, 20001}, {6, 180001, true}, {8, 10}}, .looseRows = 9});
+  const std::vector<float> source = randomNumbers(4 * std::int64_t{table.sourceCount});
+  for (const std::int32_t offset : {0, 1}) {  // 1: points are not where streaming stores can write
+    const Osd::BufferDescriptor out{offset, 4, 4};
+    const auto evaluate = [&](Osd::CpuEvaluator evaluator) {
+      std::vector<float> target(static_cast<std::size_t>(out.extent(table.targetCount)));
+      EXPECT_TRUE(evaluator.evaluate(table, Osd::Points<float>{source, {0, 4, 4}}, Osd::PointsOut<float>{target, out}));
+      return target;
+    };
+    const std::vector<float> expected = evaluate(Osd::SerialEvaluator());
+    ASSERT_GT(expected.size() * sizeof(float), std::size_t{16} << 20);
+    for (const std::int64_t target : targets()) {
+      const TargetInUse use(target);
+      EXPECT_TRUE(evaluate(Osd::SimdEvaluator()) == expected) << hwy::TargetName(target) << ", offset " << offset;
+      EXPECT_TRUE(evaluate(Osd::TbbEvaluator()) == expected) << hwy::TargetName(target) << ", offset " << offset;
+    }
+  }
+}
+
 TEST(Simd, StencilTables) {
   const Far::Refinement refinement = refined(grid(9, 8), schemeCase(NamedTension::paper).scheme, 2);
   const auto table = Far::StencilTable::build(refinement);
