@@ -23,6 +23,7 @@ void addRefine(CLI::App& app, Command& command);
 void addBake(CLI::App& app, Command& command);
 void addInfo(CLI::App& app, Command& command);
 void addConvert(CLI::App& app, Command& command);
+void addBench(CLI::App& app, Command& command);
 
 /// The subcommands, in the order of the help text.
 struct CommandEntry {
@@ -30,7 +31,9 @@ struct CommandEntry {
 };
 std::span<const CommandEntry> commands();
 
-/// Adds --threads, --json and --quiet to a subcommand.
+/// Adds --threads and --quiet to a subcommand.
+void addRunOptions(CLI::App& subcommand, Session& session);
+/// The same and --json.
 void addSessionOptions(CLI::App& subcommand, Session& session);
 
 }  // namespace honeycomb::Cli

@@ -19,13 +19,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string processorName() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown processor";
-}
-
 void addDevice(std::string& text, const VulkanDeviceInfo& device) {
   fmt::format_to(std::back_inserter(text), "  {:<12} {} ({}), Vulkan {}\n", "Vulkan", device.name, device.type,
                  device.version);
@@ -47,6 +40,13 @@ Json deviceJson(const VulkanDeviceInfo& device) {
 }
 
 }  // namespace
+
+std::string processorName() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
 
 std::string machineText() {
   std::string text = "honeycomb " HONEYCOMB_VERSION "\n";

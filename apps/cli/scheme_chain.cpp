@@ -7,6 +7,7 @@
 
 #include "apps/cli/choice.h"
 #include "apps/cli/memory.h"
+#include "apps/cli/words.h"
 #include "far/tables/refinement.h"
 
 namespace honeycomb::Cli {
@@ -17,16 +18,6 @@ struct CornerChoice {
   bool keep;
 };
 constexpr std::array kCorners{CornerChoice{"none", false}, CornerChoice{"valence2", true}};
-
-std::vector<std::string_view> split(std::string_view text) {
-  std::vector<std::string_view> words;
-  for (std::size_t comma = text.find(','); comma != std::string_view::npos; comma = text.find(',')) {
-    words.push_back(text.substr(0, comma));
-    text.remove_prefix(comma + 1);
-  }
-  words.push_back(text);
-  return words;
-}
 
 /// "akleman:1"
 Result<ChainPart> readPart(const std::string& scheme, std::string_view word) {
@@ -49,7 +40,7 @@ Result<ChainPart> readPart(const std::string& scheme, std::string_view word) {
 
 Result<ChainRequest> readParts(const std::string& scheme, std::optional<std::int32_t> levels) {
   ChainRequest request;
-  for (const std::string_view word : split(scheme)) {
+  for (const std::string_view word : commaSeparated(scheme)) {
     const Result<ChainPart> part = readPart(scheme, word);
     if (!part) return tl::unexpected(part.error());
     request.parts.push_back(*part);

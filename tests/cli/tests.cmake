@@ -16,6 +16,7 @@ honeycomb_test(cli_test
     ${CMAKE_CURRENT_LIST_DIR}/bad_option_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bad_output_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bad_scheme_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/bench_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/console_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/convert_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/info_test.cpp

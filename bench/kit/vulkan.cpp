@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "bench/kit/evaluators.h"
+#include "bench/kit/stopwatch.h"
+#include "osd/vulkan/context.h"
+#include "osd/vulkan/session.h"
+
+namespace honeycomb::Bench {
+
+namespace {
+
+/// A device and what is on it; destroyed from the last to the first.
+struct OnDevice {
+  Osd::VulkanContext context;
+  Osd::VulkanEvaluator evaluator;
+  Osd::VulkanSession session;
+};
+
+using Upload = Result<Osd::VulkanTable> (*)(Osd::VulkanEvaluator&, const Problem&);
+
+Osd::VulkanTableOptions optionsOf(const Problem& problem) {
+  Osd::VulkanTableOptions options;
+  options.control = options.refined = problem.layout.desc;
+  if (problem.normals == Normals::exact) options.vertexLimits.normals = Osd::BufferDescriptor{};
+  return options;
+}
+
+Result<Osd::VulkanTable> uploadLevels(Osd::VulkanEvaluator& evaluator, const Problem& problem) {
+  return evaluator.upload(problem.refinement, optionsOf(problem));
+}
+
+Result<Osd::VulkanTable> uploadFlat(Osd::VulkanEvaluator& evaluator, const Problem& problem) {
+  const Result<const Far::StencilTable*> table = problem.flat.get();
+  if (!table) return tl::unexpected(table.error());
+  const Far::LevelTable level = (*table)->asLevelTable();
+  return evaluator.upload(std::array{&level}, nullptr, optionsOf(problem));
+}
+
+/// The control points are written to the device's memory in every frame, as an animation does; results stay there.
+Result<Prepared> prepare(const Problem& problem, Upload upload) {
+  Result<Osd::VulkanContext> context = Osd::VulkanContext::create();
+  if (!context) return tl::unexpected(context.error());
+  Result<Osd::VulkanEvaluator> evaluator = Osd::VulkanEvaluator::create(context->device());
+  if (!evaluator) return tl::unexpected(evaluator.error());
+  const Stopwatch stopwatch;
+  Result<Osd::VulkanTable> table = upload(*evaluator, problem);
+  if (!table) return tl::unexpected(table.error());
+  Prepared prepared;
+  prepared.tableBytes = static_cast<std::int64_t>(table->byteCount());
+  Result<Osd::VulkanSession> session = Osd::VulkanSession::create(*evaluator, std::move(*table));
+  if (!session) return tl::unexpected(session.error());
+  const auto device =
+      std::make_shared<OnDevice>(OnDevice{std::move(*context), std::move(*evaluator), std::move(*session)});
+  prepared.frame = [device, control = problem.control]() -> Result<void> {
+    std::copy(control.begin(), control.end(), device->session.control().begin());
+    return device->session.run();
+  };
+  prepared.refined = device->session.refined();
+  prepared.normals = device->session.vertexNormals();
+  prepared.buildMs = problem.tablesMs + stopwatch.milliseconds();
+  prepared.vertices = problem.refinement.last().topology.vertexCount();
+  return prepared;
+}
+
+}  // namespace
+
+Result<Prepared> prepareVulkan(const Problem& problem) {
+  if (problem.normals == Normals::fast) return tl::unexpected(withoutNormals(problem).error());
+  return prepare(problem, uploadLevels);
+}
+
+Result<Prepared> prepareVulkanCsr(const Problem& problem) {
+  if (auto ok = withoutNormals(problem); !ok) return tl::unexpected(ok.error());
+  return prepare(problem, uploadFlat);
+}
+
+}  // namespace honeycomb::Bench
