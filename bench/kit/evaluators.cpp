@@ -20,6 +20,12 @@ constexpr const char* kNoOpenSubdiv = "this build has no OpenSubdiv; install lib
 constexpr const char* kNoEigen = "this build has no Eigen; install libeigen3-dev and configure again";
 #endif
 
+#ifdef _OPENMP
+constexpr Threads kOpenMp = Threads::all;
+#else
+constexpr Threads kOpenMp = Threads::one;
+#endif
+
 template <const char* const& Why>
 Result<Prepared> absent(const Problem&) {
   return fail(ErrorCode::unsupported, Why);
@@ -66,7 +72,7 @@ std::span<const EvaluatorEntry> evaluators() {
       EvaluatorEntry{"opensubdiv-catmark", Agreement::rounding, Threads::all, absent<kNoOpenSubdiv>},
 #endif
 #ifdef HONEYCOMB_BENCH_EIGEN
-      EvaluatorEntry{"eigen", Agreement::rounding, Threads::all, prepareEigen},
+      EvaluatorEntry{"eigen", Agreement::rounding, kOpenMp, prepareEigen},
 #else
       EvaluatorEntry{"eigen", Agreement::rounding, Threads::all, absent<kNoEigen>},
 #endif

@@ -49,12 +49,19 @@ Result<void> evaluate(const ForeignJob& job) {
   return {};
 }
 
-template <class Evaluator>
-Result<void> evaluateOnAll(const ForeignJob& job) {
+/// Errors: unsupported where the number of threads can't be set.
+Result<void> setThreads() {
 #ifdef _OPENMP
   omp_set_num_threads(Parallel::threadCount());
+  return {};
+#else
+  return fail(ErrorCode::unsupported, "this build has no OpenMP to set the number of threads with");
 #endif
-  return evaluate<Evaluator>(job);
+}
+
+Result<void> evaluateOnAll(const ForeignJob& job) {
+  if (auto set = setThreads(); !set) return set;
+  return evaluate<Foreign::Osd::OmpEvaluator>(job);
 }
 
 Result<Prepared> prepare(const Problem& problem, Result<void> (*evaluate)(const ForeignJob&)) {
@@ -131,12 +138,14 @@ Result<Prepared> prepareOpenSubdivCpu(const Problem& problem) {
 }
 
 Result<Prepared> prepareOpenSubdivOmp(const Problem& problem) {
-  Result<Prepared> prepared = prepare(problem, evaluateOnAll<Foreign::Osd::OmpEvaluator>);
+  if (auto set = setThreads(); !set) return tl::unexpected(set.error());
+  Result<Prepared> prepared = prepare(problem, evaluateOnAll);
   if (prepared) prepared->spins = true;
   return prepared;
 }
 
 Result<Prepared> prepareOpenSubdivCatmark(const Problem& problem) {
+  if (auto set = setThreads(); !set) return tl::unexpected(set.error());
   if (auto ok = withoutNormals(problem); !ok) return tl::unexpected(ok.error());
   const std::int32_t level = problem.refinement.levelCount();
   const Mesh mesh = catmarkMesh(problem.refinement.last().topology.vertexCount(), level);
@@ -158,7 +167,7 @@ Result<Prepared> prepareOpenSubdivCatmark(const Problem& problem) {
   auto expected = expectedOf(job);
   if (!expected) return tl::unexpected(expected.error());
   prepared.expected = std::move(*expected);
-  prepared.frame = [job, state] { return evaluateOnAll<Foreign::Osd::OmpEvaluator>(job); };
+  prepared.frame = [job, state] { return evaluateOnAll(job); };
   prepared.refined = job.refined;
   prepared.spins = true;
   return prepared;
