@@ -17,6 +17,8 @@ namespace {
 /// the largest evaluator of its own.
 constexpr int kFrames = 4;
 constexpr int kBytesPerNumber = 4;
+/// While building is timed, what was built is there beside what is built.
+constexpr std::int64_t kBuiltAtOnce = 2;
 /// Flattened tables of the stencils, of OpenSubdiv, of Eigen and on the device take about four times the stencils.
 constexpr std::int64_t kFlatTables = 4;
 
@@ -38,7 +40,9 @@ Result<SchemeChain> chainOf(const Setup& setup, const ChainRequest& request) {
   Result<SchemeChain> chain = makeChain(request, setup.command.scheme, setup.topology, availableMemory());
   if (!chain) return tl::unexpected(ofMesh(setup, chain.error()));
   const RunShape shape{kFrames, kBytesPerNumber, setup.plan.normals != Bench::Normals::none, false};
-  const Result<void> fits = checkSizes(predictSizes(setup.topology, *chain, shape), availableMemory());
+  std::vector<LevelSize> sizes = predictSizes(setup.topology, *chain, shape);
+  for (LevelSize& size : sizes) size.runBytes *= kBuiltAtOnce;
+  const Result<void> fits = checkSizes(sizes, availableMemory());
   if (!fits) return tl::unexpected(ofMesh(setup, fits.error()));
   return chain;
 }

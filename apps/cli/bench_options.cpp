@@ -76,6 +76,14 @@ Result<void> checkSampling(const Bench::SamplingOptions& sampling) {
   return {};
 }
 
+/// Central control vertices are at the barycentres: where else they are costs nothing in a frame.
+Result<void> checkCentral(const SchemeOptions& scheme) {
+  for (const SchemeOption* option : {&kCentralFileOption, &kCentralOffsetOption})
+    if (scheme.given(*option))
+      return fail(ErrorCode::invalidOption, fmt::format("{}: bench takes the barycentres; leave it out", option->name));
+  return {};
+}
+
 Result<void> checkJson(const BenchCommand& command) {
   if (command.json.empty()) return {};
   return checkOutput(command.json, std::array{std::filesystem::path(command.input)});
@@ -101,6 +109,7 @@ void BenchCommand::addTo(CLI::App& subcommand) {
 Result<BenchPlan> readPlan(const BenchCommand& command) {
   if (const auto writable = checkJson(command); !writable) return tl::unexpected(writable.error());
   if (const auto sound = checkSampling(command.sampling); !sound) return tl::unexpected(sound.error());
+  if (const auto central = checkCentral(command.scheme); !central) return tl::unexpected(central.error());
   Result<std::vector<ChainRequest>> chains = readChains(command);
   if (!chains) return tl::unexpected(chains.error());
   Result<std::vector<const Bench::EvaluatorEntry*>> evaluators = readEvaluators(command.evaluators);

@@ -29,8 +29,7 @@ struct Run {
   std::int64_t frames = 0;  ///< timed
   std::int64_t tableBytes = 0;
   double buildMs = 0;
-  double difference =
-      0;  ///< largest distance from the serial evaluator's numbers, in the largest of these; 0: same bits
+  double difference = 0;  ///< from the serial evaluator's numbers at most, in the largest of these; 0: the same bits
 };
 
 /// An evaluator that wasn't measured.
@@ -53,8 +52,8 @@ struct Comparisons {
   std::vector<Limit> limits;
 };
 
-/// Points of rounding error in an evaluator that composes its weights: its numbers differ by up to this part of the
-/// largest. A few dozen roundings of 2^-24.
+/// By how much the numbers of an evaluator with composed weights may differ, as a part of the largest: a few dozen
+/// roundings of 2^-24.
 constexpr double kMostDifference = 4e-6;
 
 /// Prepares every evaluator, compares what it makes with the serial evaluator's points, and times all of them and the

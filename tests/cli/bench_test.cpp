@@ -145,6 +145,7 @@ TEST_F(BenchTest, WrongOptionsAreRefused) {
   EXPECT_REFUSED(quick({"--faces", "100", cube}), HasSubstr("--faces"));
   EXPECT_REFUSED((std::vector<std::string>{"bench", "--samples", "0"}), HasSubstr("--samples 0"));
   EXPECT_REFUSED((std::vector<std::string>{"bench", "--sample-ms", "-1"}), HasSubstr("--sample-ms -1"));
+  EXPECT_REFUSED(quick({"--scheme", "zhang-wang", "--ccv-offset", "1"}), HasSubstr("--ccv-offset"));
   EXPECT_EQ(run({"bench", "--faces", "many"}).exitCode, 2);
 }
 
