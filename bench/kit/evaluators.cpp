@@ -53,6 +53,7 @@ std::span<const Layout> layouts() {
 std::span<const EvaluatorEntry> evaluators() {
   static constexpr std::array kEvaluators{
       EvaluatorEntry{"serial", Agreement::bits, Threads::one, prepareLevels<Osd::SerialEvaluator>},
+      EvaluatorEntry{"simd", Agreement::bits, Threads::one, prepareLevels<Osd::SimdEvaluator>},
       EvaluatorEntry{"tbb", Agreement::bits, Threads::all, prepareLevels<Osd::TbbEvaluator>},
       EvaluatorEntry{"csr", Agreement::rounding, Threads::all, prepareCsr},
 #ifdef HONEYCOMB_BENCH_VULKAN

@@ -23,7 +23,7 @@ namespace {
 
 namespace Foreign = OpenSubdiv;
 
-std::int64_t bytesOf(const Foreign::Far::StencilTable& table) {
+std::int64_t bytesOf(const ForeignTable& table) {
   // Sizes and offsets a stencil, an index and a weight an entry; the arrays may be longer, by what was reserved.
   const std::int64_t stencils = table.GetNumStencils();
   const std::int64_t entries = stencils == 0 ? 0 : table.GetOffsets().back() + table.GetSizes().back();
@@ -32,7 +32,7 @@ std::int64_t bytesOf(const Foreign::Far::StencilTable& table) {
 
 /// Stencils, and where the points they read and write are.
 struct ForeignJob {
-  std::shared_ptr<const Foreign::Far::StencilTable> table;
+  std::shared_ptr<const ForeignTable> table;
   Osd::BufferDescriptor desc;
   std::span<const float> control;
   std::span<float> refined;
@@ -41,7 +41,7 @@ struct ForeignJob {
 template <class Evaluator>
 Result<void> evaluate(const ForeignJob& job) {
   const Foreign::Osd::BufferDescriptor desc(job.desc.offset, job.desc.length, job.desc.stride);
-  const Foreign::Far::StencilTable& table = *job.table;
+  const ForeignTable& table = *job.table;
   const bool done = Evaluator::EvalStencils(job.control.data(), desc, job.refined.data(), desc, table.GetSizes().data(),
                                             table.GetOffsets().data(), table.GetControlIndices().data(),
                                             table.GetWeights().data(), 0, table.GetNumStencils());
@@ -122,11 +122,12 @@ Refiner catmarkRefiner(const Far::Polygons& polygons) {
 }
 
 Stencils catmarkStencils(const Foreign::Far::TopologyRefiner& refiner, std::int32_t level) {
-  Foreign::Far::StencilTableFactory::Options options;
+  using Factory = Foreign::Far::StencilTableFactoryReal<float>;
+  Factory::Options options;
   options.generateIntermediateLevels = false;
   options.generateOffsets = true;
   options.maxLevel = static_cast<unsigned>(level) & 15U;  // a field of four bits
-  return Stencils(Foreign::Far::StencilTableFactory::Create(refiner, options));
+  return Stencils(Factory::Create(refiner, options));
 }
 
 Mesh catmarkMesh(std::int64_t refinedVertices, std::int32_t level) {

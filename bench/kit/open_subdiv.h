@@ -9,9 +9,12 @@
 
 namespace honeycomb::Bench {
 
+/// Not OpenSubdiv's StencilTable: its factory returns this and calls it one.
+using ForeignTable = OpenSubdiv::Far::StencilTableReal<float>;
+
 /// A mesh as OpenSubdiv takes it, for Catmull-Clark subdivision, and what it makes of it. Null where it refuses.
 using Refiner = std::unique_ptr<OpenSubdiv::Far::TopologyRefiner>;
-using Stencils = std::unique_ptr<const OpenSubdiv::Far::StencilTable>;
+using Stencils = std::unique_ptr<const ForeignTable>;
 Refiner catmarkRefiner(const Far::Polygons& polygons);
 
 /// Stencils of the last level from the control vertices, as its evaluators want them.

@@ -38,7 +38,7 @@ TEST_F(BenchTest, EveryEvaluatorLevelAndLayoutIsMeasuredOrSkippedWithAReason) {
   const json all = bench({"--faces", "64", "--levels", "1,2"});
   std::set<std::string> names = namesOf(all.at("runs"));
   names.merge(namesOf(all.at("skipped")));
-  for (const std::string evaluator : {"serial", "tbb", "csr", "vulkan", "vulkan-csr", "opensubdiv-cpu",
+  for (const std::string evaluator : {"serial", "simd", "tbb", "csr", "vulkan", "vulkan-csr", "opensubdiv-cpu",
                                       "opensubdiv-omp", "opensubdiv-catmark", "eigen"})
     for (const std::string layout : {"xyz", "xyzw"})
       for (const std::string level : {"1", "2"})
@@ -74,7 +74,7 @@ TEST_F(BenchTest, JsonHasTheSchemaThatIsPromised) {
 }
 
 TEST_F(BenchTest, EvaluatorsOfTheLevelTablesGiveTheSameBitsAndFlattenedOnesRound) {
-  for (const json& run : bench({"--faces", "64", "--levels", "3", "--evaluators", "serial,tbb,csr"}).at("runs")) {
+  for (const json& run : bench({"--faces", "64", "--levels", "3", "--evaluators", "serial,simd,tbb,csr"}).at("runs")) {
     if (run.at("evaluator") == "csr") {
       EXPECT_GT(run.at("difference"), 0);
       EXPECT_LT(run.at("difference"), 4e-6);
@@ -133,7 +133,7 @@ TEST_F(BenchTest, TheTableHasALineForEachEvaluator) {
 TEST_F(BenchTest, WrongOptionsAreRefused) {
   const std::string cube = file("cube.obj", cubeObj());
   EXPECT_REFUSED(quick({"--evaluators", "serial,warp"}), HasSubstr("--evaluators: there is no 'warp'"),
-                 HasSubstr("serial, tbb"));
+                 HasSubstr("serial, simd, tbb"));
   EXPECT_REFUSED(quick({"--layouts", "zyx"}), HasSubstr("xyz, xyzw"));
   EXPECT_REFUSED(quick({"--normals", "good"}), HasSubstr("none, fast, exact"));
   EXPECT_REFUSED(quick({"--levels", "3,x"}), HasSubstr("'x'"));
