@@ -7,6 +7,7 @@
 #include "far/base/index.h"
 #include "far/base/parallel.h"
 #include "osd/cpu_kernels.h"
+#include "osd/cpu_pieces.h"
 #include "osd/plain_kernels.h"
 #include "osd/simd/level_kernels.h"
 
@@ -109,24 +110,6 @@ BufferDescriptor scratchDescriptor(CpuEvaluator::Instructions instructions, std:
 }
 
 template <class Real>
-Result<void> check(const Points<Real>& source, std::int64_t sourceCount, const PointsOut<Real>& target,
-                   std::int64_t targetCount) {
-  if (auto ok = checkDescriptor(source.desc, static_cast<std::int64_t>(source.data.size()), sourceCount, "source");
-      !ok) {
-    return ok;
-  }
-  if (auto ok = checkDescriptor(target.desc, static_cast<std::int64_t>(target.data.size()), targetCount, "target");
-      !ok) {
-    return ok;
-  }
-  if (source.desc.length != target.desc.length) {
-    return fail(ErrorCode::invalidOption,
-                fmt::format("source and target differ in length, {} and {}", source.desc.length, target.desc.length));
-  }
-  return {};
-}
-
-template <class Real>
 void evaluateFrames(CpuEvaluator::Threads threads, const Far::LimitRows& rows, const View<const Real>& in,
                     const View<Real>& positions, const View<Real>& normals) {
   for (const Far::FrameBatch& batch : rows.batches) {
@@ -176,7 +159,7 @@ std::vector<double>& CpuEvaluator::scratch<double>(std::int32_t which) {
 template <class Real>
 Result<void> CpuEvaluator::evaluate(const Far::LevelTable& table, const Points<Real>& source,
                                     const PointsOut<Real>& target) {
-  if (auto ok = check(source, table.sourceCount, target, table.targetCount); !ok) return ok;
+  if (auto ok = checkPoints(source, table.sourceCount, target, table.targetCount); !ok) return ok;
   evaluateLevel(threads_, instructions_, table, source, target);
   return {};
 }
@@ -188,8 +171,8 @@ Result<void> CpuEvaluator::evaluate(const Far::Refinement& refinement, std::int3
     return fail(ErrorCode::invalidOption,
                 fmt::format("level {} is out of range; use 1 to {}", level, refinement.levelCount()));
   }
-  if (auto ok =
-          check(control, refinement.level(1).table.sourceCount, refined, refinement.level(level).table.targetCount);
+  if (auto ok = checkPoints(control, refinement.level(1).table.sourceCount, refined,
+                            refinement.level(level).table.targetCount);
       !ok) {
     return ok;
   }
@@ -238,7 +221,7 @@ Result<void> CpuEvaluator::evaluate(const Far::StencilTable& table, const Points
   if (which != Far::StencilWeights::position && !table.hasTangents()) {
     return fail(ErrorCode::invalidOption, "the stencil table has no tangents; build one of limits");
   }
-  if (auto ok = check(control, table.sourceCount, target, table.rowCount()); !ok) return ok;
+  if (auto ok = checkPoints(control, table.sourceCount, target, table.rowCount()); !ok) return ok;
   forPieces(control, table.sourceCount, target, table.rowCount(), false, [&](const Piece<Real>& piece) {
     withKernels<Real>(instructions_, [&](auto kernels) {
       split(threads_, table.rowCount(), kPointsPerStencil,

@@ -151,8 +151,8 @@ void circulantFaces(const Far::LevelTable& table, const Far::CirculantBatch& bat
 }
 
 /// sum_j weights[j] p_j over `count` points, in blocks: see ProjectedFace.
-template <int Width, class Real>
-std::array<Real, at(Width)> blockedSum(const Real* weights, const std::int32_t* index, std::int32_t count,
+template <int Width, class Real, class Index>
+std::array<Real, at(Width)> blockedSum(const Real* weights, const Index* index, std::int32_t count,
                                        const View<const Real>& in) {
   std::array<Real, at(Width)> total{};
   for (std::int32_t block = 0; block < count; block += Far::kProjectionBlock) {
@@ -200,9 +200,9 @@ void denseRows(const Far::LevelTable& table, const Far::DenseRows& batch, const 
 }
 
 /// (weights[first] p_first + weights[first+1] p_first+1) + ... up to, without, `last`: one row of compressed rows.
-template <int Width, class Real>
-std::array<Real, at(Width)> rowSum(const Real* weights, const std::int32_t* index, std::int32_t first,
-                                   std::int32_t last, const View<const Real>& in) {
+template <int Width, class Real, class Index>
+std::array<Real, at(Width)> rowSum(const Real* weights, const Index* index, std::int32_t first, std::int32_t last,
+                                   const View<const Real>& in) {
   auto sum = weights[first] * load<Width>(in.point(index[first]));
   for (std::int32_t b = first + 1; b < last; ++b) sum = sum + weights[b] * load<Width>(in.point(index[b]));
   return sum;
@@ -232,15 +232,28 @@ void stencilRows(const Far::StencilTable& table, Far::StencilWeights which, cons
   }
 }
 
-/// T1 x T2 made unit, the zero vector where that has no meaning: see LimitRows.
+/// A vector made unit, the zero vector where that has no meaning: see LimitRows.
 template <class Real>
-std::array<Real, 3> unitNormal(const std::array<Real, 3>& t1, const std::array<Real, 3>& t2) {
-  const std::array<Real, 3> n{t1[1] * t2[2] - t1[2] * t2[1], t1[2] * t2[0] - t1[0] * t2[2],
-                              t1[0] * t2[1] - t1[1] * t2[0]};
+std::array<Real, 3> unit(const std::array<Real, 3>& n) {
   const Real q = (n[0] * n[0] + n[1] * n[1]) + n[2] * n[2];
   if (!(q >= std::numeric_limits<Real>::min()) || !std::isfinite(q)) return {};
   const Real r = Real{1} / std::sqrt(q);
   return {n[0] * r, n[1] * r, n[2] * r};
+}
+
+/// T1 x T2 made unit.
+template <class Real>
+std::array<Real, 3> unitNormal(const std::array<Real, 3>& t1, const std::array<Real, 3>& t2) {
+  return unit<Real>({t1[1] * t2[2] - t1[2] * t2[1], t1[2] * t2[0] - t1[0] * t2[2], t1[0] * t2[1] - t1[1] * t2[0]});
+}
+
+/// ((n_a + n_b) + n_c) + .. made unit: see NormalTable.
+template <class Real, class Index>
+std::array<Real, 3> normalSum(const Index* faces, std::int32_t count, const View<const Real>& normals) {
+  if (count == 0) return {};
+  std::array<Real, 3> sum = load<3>(normals.point(faces[0]));
+  for (std::int32_t i = 1; i < count; ++i) sum = sum + load<3>(normals.point(faces[i]));
+  return unit(sum);
 }
 
 /// Elements begin .. end-1 of a batch; a view without data is not written.

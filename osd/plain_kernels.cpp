@@ -1,54 +1,14 @@
 #include "osd/plain_kernels.h"
 
-#include <type_traits>
-
 #include "osd/cpu_kernels.h"
+#include "osd/cpu_pieces.h"
 
 namespace honeycomb::Osd::Plain {
 
 namespace {
 
-template <int N>
-using Int = std::integral_constant<int, N>;
-
-/// Calls body(Int<Width>) with the width of a piece.
-template <class Body>
-void forPieceWidth(std::int32_t width, const Body& body) {
-  switch (width) {
-    case 1:
-      return body(Int<1>{});
-    case 2:
-      return body(Int<2>{});
-    case 3:
-      return body(Int<3>{});
-    default:
-      return body(Int<4>{});
-  }
-}
-
-/// Calls body(Int<N>) with N = sides where a kernel is specialised for it, else 0.
-template <class Body>
-void forSides(std::int32_t sides, const Body& body) {
-  switch (sides) {
-    case 3:
-      return body(Int<3>{});
-    case 4:
-      return body(Int<4>{});
-    case 5:
-      return body(Int<5>{});
-    case 6:
-      return body(Int<6>{});
-    case 7:
-      return body(Int<7>{});
-    case 8:
-      return body(Int<8>{});
-    default:
-      return body(Int<0>{});
-  }
-}
-
-/// The same for the widths of dense rows: mid-points and edge points, corners with a central control vertex, the
-/// vertices of half-boxes, central control vertices of hexagons.
+/// Calls body(Int<N>) with N = width where a kernel is specialised for it, else 0: mid-points and edge points, corners
+/// with a central control vertex, the vertices of half-boxes, central control vertices of hexagons.
 template <class Body>
 void forWidth(std::int32_t width, const Body& body) {
   switch (width) {

@@ -16,6 +16,11 @@ namespace honeycomb::Far {
 
 namespace {
 
+/// Of splits that bring their own table nothing is known of the points.
+std::int32_t cornerPoints(const SplitResult& split) {
+  return split.table ? 0 : split.cornerPoints;
+}
+
 /// Creases whose last step comes are those with at most this many left.
 constexpr double kLastStep = 1;
 
@@ -43,7 +48,8 @@ class CreasedStep {
     arrays.creases = std::move(creases.creases);
     arrays.heldCorners = std::move(creases.heldCorners);
     if (shape) nameParents(*shape, arrays);
-    return Level{Topology(std::move(arrays)), std::move(table), centralPointsOf(scheme_)};
+    return Level{Topology(std::move(arrays)), std::move(table), centralPointsOf(scheme_), cornerPoints(*split),
+                 splitFor(from, scheme_).cornerPlace};
   }
 
  private:
@@ -119,7 +125,9 @@ Result<Level> nextLevel(const Level& parent, const Scheme& scheme) {
   Result<SplitResult> split = scheme.split.apply(parent.topology);
   if (!split) return tl::unexpected(split.error());
   LevelTable table = buildLevelTable(parent.points(), *split, scheme);
-  return Level{std::move(split->topology), std::move(table), centralPointsOf(scheme)};
+  const std::int32_t corners = cornerPoints(*split);
+  return Level{std::move(split->topology), std::move(table), centralPointsOf(scheme), corners,
+               scheme.split.cornerPlace};
 }
 
 }  // namespace honeycomb::Far

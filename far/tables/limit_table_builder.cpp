@@ -297,6 +297,12 @@ std::vector<std::int32_t> childless(const Topology& level, const LimitRows& with
 
 }  // namespace
 
+LimitRows buildFaceFrames(const SourceLevel& level, std::span<const FaceRun> runs) {
+  RowsBuilder rows(level.pointCount(), level.topology().faceCount());
+  for (const FaceRun& run : runs) addFaceRun(rows, level, Scheme{}, run, [](std::int32_t f) { return f; });
+  return rows.finish();
+}
+
 Result<LimitTable> buildLimitTable(const Level& level, const Scheme& lastStep) {
   const Scheme& scheme = lastStep.after ? *lastStep.after : lastStep;
   const SourceLevel here = level.points();

@@ -32,6 +32,10 @@ struct Level {
   Topology topology;
   LevelTable table;
   CentralPoints central = CentralPoints::none;  ///< what the level's points are beside its vertices
+  /// The first so many vertices are the corner points of whole faces of the level before: see SplitResult. They lie
+  /// beside those faces' edges or in their corners.
+  std::int32_t cornerPoints = 0;
+  CornerPlace cornerPlace = CornerPlace::corner;
 
   /// [vertices | central control vertices, where there are any].
   SourceLevel points() const { return SourceLevel(topology, central); }

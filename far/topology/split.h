@@ -62,6 +62,9 @@ inline std::int64_t insideEdges(const Census& census) {
   return census.exact ? census.edges - census.boundaryEdges : census.halfEdges / 2;
 }
 
+/// Where in a face the new point of a half-edge lies: beside the half-edge, or in the corner where it starts.
+enum class CornerPlace : std::uint8_t { corner, edge };
+
 /// A rule of refinement for connectivity: slots of index algebra in one file of far/topology/splits.
 struct Split {
   std::string name;
@@ -69,6 +72,7 @@ struct Split {
   std::function<Result<SplitResult>(const Topology& parent)> apply;
   /// The census of the next level.
   std::function<Census(const Census& parent)> grow;
+  CornerPlace cornerPlace = CornerPlace::corner;
 };
 
 }  // namespace honeycomb::Far

@@ -6,6 +6,8 @@ honeycomb_test(osd_tests
     ${CMAKE_CURRENT_LIST_DIR}/evaluators_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/row_tables_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/simd_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/tile_normals_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/tiles_test.cpp
   LIBRARIES honeycomb::test_support honeycomb::far honeycomb::osd honeycomb::io hwy::hwy)
 
 if(HONEYCOMB_SANITIZE STREQUAL "thread")

@@ -90,6 +90,7 @@ SplitResult zipBordered(const Topology& parent, BoundaryRule boundary) {
 Split zip(BoundaryRule boundary) {
   Split split;
   split.name = "zip";
+  split.cornerPlace = CornerPlace::edge;
   split.grow = [boundary](const Census& parent) { return grow(parent, boundary); };
   split.apply = [boundary](const Topology& parent) -> Result<SplitResult> {
     // Slots: three a half-edge and four a boundary edge.

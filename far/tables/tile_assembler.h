@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "far/tables/tile_clusters.h"
+#include "far/tables/tile_normal_plan.h"
+#include "far/tables/tile_sharing.h"
+#include "far/tables/tile_table.h"
+#include "far/tables/tile_units.h"
+
+namespace honeycomb::Far {
+
+/// Everything about a mesh that its tiles are put together from; shared by the threads that do so.
+class TilePlan {
+ public:
+  TilePlan(const Refinement& refinement, std::int32_t root, std::int32_t last, std::int32_t pointsPerTile,
+           const TileOptions& options);
+
+  /// The chains of a tile that are born at level k, ascending.
+  std::span<const std::int32_t> owned(std::int32_t k, std::int32_t tile) const;
+  /// Where the weights of level k begin among those of all levels.
+  std::int32_t firstWeight(std::int32_t k) const { return firstWeights_[static_cast<std::size_t>(k)]; }
+
+  TileUnits units;
+  std::vector<std::vector<std::int32_t>> large;  ///< units per level
+  std::optional<TileNormalPlan> normals;
+  TileSharing sharing;
+  TileOwners owners;
+  TileOrder order;
+
+ private:
+  struct Lists {
+    std::vector<std::int32_t> offsets;  // per tile
+    std::vector<std::int32_t> chains;
+  };
+  void listOwned();
+
+  std::vector<Lists> owned_;
+  std::vector<std::int32_t> firstWeights_;
+};
+
+/// Some tiles one after the other: the arrays of a TileTable, with places counted from their own beginnings.
+struct TileParts {
+  std::vector<Tile> tiles;
+  std::vector<TileStep> steps;
+  std::vector<TileStage> stages;
+  std::vector<std::int32_t> imports;
+  std::vector<TilePoint> indices;
+  std::vector<TileRow> rows;
+  std::vector<std::int32_t> outputs;
+  std::vector<std::int32_t> written;
+  TileNormals normals;
+  std::int32_t largestTile = 0;  ///< points or normals; past kMostTilePoints the parts are of no use
+};
+
+/// Working memory for putting tiles together, one for each thread.
+class TileAssembler {
+ public:
+  explicit TileAssembler(const TilePlan& plan);
+  void add(std::int32_t tile, TileParts& parts);
+
+ private:
+  /// What a tile knows of a chain it holds.
+  struct Held {
+    std::int32_t tile = -1;
+    std::int32_t step = 0;
+    std::int32_t place = 0;  // among the chains of the step
+    std::int32_t last = 0;   // level
+  };
+  struct Import {
+    std::int32_t tile = -1;
+    std::int32_t number = 0;
+  };
+  /// Chains of one step: those of one batch, ownership and last level, which is what their keys have in common.
+  static constexpr int kUnitBits = 32;
+
+  void collect();
+  void collectNormals();
+  void touchNormal(std::int32_t normal);
+  void numberNormals(TileParts& parts);
+  void addNormalFaces(const UnitBatch& batch, std::span<const std::int32_t> units, TileParts& parts) const;
+  void addFrames(TileParts& parts) const;
+  void touch(std::int32_t chain, std::int32_t level);
+  void touchPoint(std::int32_t k, std::int32_t point);
+  void import(std::int32_t point);
+  void addImports(TileParts& parts);
+  void addSteps(std::int32_t k, TileParts& parts);
+  void addStep(std::int32_t k, std::span<const std::uint64_t> keys, TileParts& parts);
+  void addStages(std::int32_t k, const UnitBatch& batch, std::span<const std::uint64_t> keys, bool owned,
+                 TileStep& step, TileParts& parts);
+  void addOutputs(std::int32_t k, const UnitBatch& batch, std::span<const std::int32_t> units, TileStage& stage,
+                  TileParts& parts);
+  void addIndices(std::int32_t k, const UnitBatch& batch, std::span<const std::uint64_t> keys, const TileParts& parts,
+                  std::vector<TilePoint>& indices) const;
+  TilePoint ownNumber(std::int32_t k, std::int32_t point, const TileParts& parts) const;
+  std::int32_t weightOf(std::int32_t k, const UnitBatch& batch) const;
+
+  const TilePlan& plan_;
+  std::int32_t tile_ = -1;
+  std::int32_t pointCount_ = 0;
+  std::vector<Held> held_;        // per chain
+  std::vector<Import> imported_;  // per root point, then per shared point
+  std::vector<std::int32_t> imports_;
+  std::vector<std::vector<std::uint64_t>> births_;  // per level: keys of the chains held
+  std::vector<Import> normalsHeld_;                 // per normal
+  std::vector<std::int32_t> normals_;               // those held: shared ones, then others by place
+};
+
+}  // namespace honeycomb::Far

@@ -1,0 +1,273 @@
+#include "far/tables/tile_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "far/base/index.h"
+#include "far/base/parallel.h"
+#include "far/base/pool.h"
+#include "far/tables/tile_assembler.h"
+
+namespace honeycomb::Far {
+
+namespace {
+
+/// Tiles put together by one task: some milliseconds.
+constexpr std::int64_t kTilesPerPart = 8;
+/// Points of the level behind the root that a tile should have, at least: smaller tiles have more rim than body.
+constexpr std::int64_t kFewestPoints = 192;
+/// What a tile holds beside the points that descend from its own, in hundredths.
+constexpr std::int64_t kHalo = 130;
+
+/// How many points of the level behind the root a tile may have for all its points to fit.
+std::int64_t pointsPerTile(const Refinement& refinement, std::int32_t root, std::int32_t last, std::int64_t scratch) {
+  std::int64_t points = refinement.level(root).pointCount();
+  for (std::int32_t k = root + 1; k < last; ++k) points += refinement.level(k).pointCount();
+  const std::int64_t first = refinement.level(root + 1).pointCount();
+  return std::max<std::int64_t>(1, scratch * 100 / kHalo * first / std::max<std::int64_t>(1, points));
+}
+
+/// The root level from which tiles of a sound size reach the last level.
+std::int32_t chooseRoot(const Refinement& refinement, std::int32_t last, std::int64_t scratch) {
+  std::int32_t root = 0;
+  while (root < last - 1 && pointsPerTile(refinement, root, last, scratch) < kFewestPoints) ++root;
+  return root;
+}
+
+/// Appends arrays of parts behind one another, the places in them moved on.
+class Join {
+ public:
+  Join(std::vector<TileParts>& parts, TileTable& table) : parts_(parts), table_(table), bases_(parts.size()) {}
+
+  void run() {
+    Bases next;
+    for (std::size_t p = 0; p < parts_.size(); ++p) {
+      bases_[p] = next;
+      const TileParts& part = parts_[p];
+      next.tiles += part.tiles.size();
+      next.steps += part.steps.size();
+      next.stages += part.stages.size();
+      next.imports += part.imports.size();
+      next.indices += part.indices.size();
+      next.rows += part.rows.size();
+      next.outputs += part.outputs.size();
+      next.written += part.written.size();
+      next.ranges += part.normals.tiles.size();
+      next.normalImports += part.normals.imports.size();
+      next.frames += part.normals.frames.size();
+      next.corners += part.normals.indices.size();
+      next.firstFaces += part.normals.firstFace.size();
+      next.faces += part.normals.faces.size();
+    }
+    table_.tiles.resize(next.tiles);
+    table_.steps.resize(next.steps);
+    table_.stages.resize(next.stages);
+    table_.imports.resize(next.imports);
+    table_.indices.resize(next.indices);
+    table_.rows.resize(next.rows);
+    table_.outputs.resize(next.outputs);
+    table_.written.resize(next.written);
+    table_.normals.tiles.resize(next.ranges);
+    table_.normals.imports.resize(next.normalImports);
+    table_.normals.frames.resize(next.frames);
+    table_.normals.indices.resize(next.corners);
+    table_.normals.firstFace.resize(next.firstFaces);
+    table_.normals.faces.resize(next.faces);
+    Parallel::forEach(
+        0, static_cast<std::int64_t>(parts_.size()), [&](std::int64_t p) { move(at(p)); }, 1);
+  }
+
+ private:
+  struct Bases {
+    std::size_t tiles = 0, steps = 0, stages = 0, imports = 0, indices = 0, rows = 0, outputs = 0, written = 0;
+    std::size_t ranges = 0, normalImports = 0, frames = 0, corners = 0, firstFaces = 0, faces = 0;  // of the normals
+  };
+
+  template <class T, class Change>
+  static void copy(std::vector<T>& from, std::vector<T>& to, std::size_t base, const Change& change) {
+    std::ranges::transform(from, to.begin() + static_cast<std::ptrdiff_t>(base), change);
+    std::vector<T>().swap(from);
+  }
+  template <class T>
+  static void copy(std::vector<T>& from, std::vector<T>& to, std::size_t base) {
+    copy(from, to, base, [](const T& item) { return item; });
+  }
+
+  void move(std::size_t p) {
+    TileParts& part = parts_[p];
+    const Bases& base = bases_[p];
+    const auto plus = [](std::int32_t i, std::size_t by) { return i + static_cast<std::int32_t>(by); };
+    copy(part.tiles, table_.tiles, base.tiles, [&](Tile tile) {
+      tile.firstImport = plus(tile.firstImport, base.imports);
+      tile.firstStep = plus(tile.firstStep, base.steps);
+      return tile;
+    });
+    copy(part.steps, table_.steps, base.steps, [&](TileStep step) {
+      step.firstIndex = plus(step.firstIndex, base.indices);
+      step.firstStage = plus(step.firstStage, base.stages);
+      step.firstRow = plus(step.firstRow, base.rows);
+      return step;
+    });
+    const std::size_t outputs = table_.order == TileOrder::tiles ? base.written : base.outputs;
+    copy(part.stages, table_.stages, base.stages, [&](TileStage stage) {
+      if (stage.firstOutput >= 0) stage.firstOutput = plus(stage.firstOutput, outputs);
+      return stage;
+    });
+    copy(part.imports, table_.imports, base.imports);
+    copy(part.indices, table_.indices, base.indices);
+    copy(part.rows, table_.rows, base.rows);
+    copy(part.outputs, table_.outputs, base.outputs);
+    copy(part.written, table_.written, base.written);
+    moveNormals(part.normals, base);
+  }
+
+  void moveNormals(TileNormals& part, const Bases& base) {
+    TileNormals& to = table_.normals;
+    const auto plus = [](std::int32_t i, std::size_t by) { return i + static_cast<std::int32_t>(by); };
+    copy(part.tiles, to.tiles, base.ranges, [&](TileNormalRange range) {
+      range.firstImport = plus(range.firstImport, base.normalImports);
+      range.firstFrames = plus(range.firstFrames, base.frames);
+      return range;
+    });
+    copy(part.imports, to.imports, base.normalImports);
+    copy(part.frames, to.frames, base.frames, [&](TileFrames frames) {
+      frames.firstIndex = plus(frames.firstIndex, base.corners);
+      return frames;
+    });
+    copy(part.indices, to.indices, base.corners);
+    copy(part.firstFace, to.firstFace, base.firstFaces,
+         [&](std::int32_t first) { return first < 0 ? first : plus(first, base.faces); });
+    copy(part.faces, to.faces, base.faces);
+  }
+
+  std::vector<TileParts>& parts_;
+  TileTable& table_;
+  std::vector<Bases> bases_;
+};
+
+void copyWeights(const Refinement& refinement, TileTable& table) {
+  for (std::int32_t k = table.rootLevel + 1; k <= table.lastLevel; ++k) {
+    const LevelTable& level = refinement.level(k).table;
+    table.weights.insert(table.weights.end(), level.weights.begin(), level.weights.end());
+    table.weightsSingle.insert(table.weightsSingle.end(), level.weightsSingle.begin(), level.weightsSingle.end());
+  }
+  for (TileStep& step : table.steps) {
+    // Stages of one scheme have equal weights in different places.
+    if (step.kind != TileStep::Kind::circulant) continue;
+    const auto first = table.weights.begin() + table.stages[at(step.firstStage)].firstWeight;
+    for (std::int32_t s = 1; s < step.stageCount && step.sameWeights; ++s) {
+      const auto other = table.weights.begin() + table.stages[at(step.firstStage + s)].firstWeight;
+      step.sameWeights = std::equal(first, first + formWeightCount(step.form, step.width), other);
+    }
+  }
+}
+
+/// Shared points that no tile writes stand behind all others in the order of tiles.
+void numberShared(TileTable& table) {
+  if (table.order != TileOrder::tiles || table.shared.empty()) return;
+  for (SharedPoints::Run& run : table.shared.back().written) {
+    const auto place = static_cast<std::int32_t>(table.written.size());
+    for (std::int32_t i = 0; i < run.count; ++i) table.written.push_back(run.output + i);
+    run.output = place;
+  }
+}
+
+/// Empty where a tile has more points than can be told apart.
+std::vector<TileParts> assemble(const TilePlan& plan) {
+  const std::int32_t tiles = plan.owners.tileCount;
+  std::vector<TileParts> parts(at((tiles + kTilesPerPart - 1) / kTilesPerPart));
+  Pool<TileAssembler> assemblers;
+  Parallel::forRange(0, static_cast<std::int64_t>(parts.size()), 1, [&](std::int64_t begin, std::int64_t end) {
+    const auto assembler = assemblers.borrow([&] { return std::make_unique<TileAssembler>(plan); });
+    for (std::int64_t p = begin; p < end; ++p) {
+      const std::int64_t last = std::min<std::int64_t>(tiles, (p + 1) * kTilesPerPart);
+      for (std::int64_t tile = p * kTilesPerPart; tile < last; ++tile) {
+        assembler->add(static_cast<std::int32_t>(tile), parts[at(p)]);
+      }
+    }
+  });
+  for (const TileParts& part : parts) {
+    if (part.largestTile > kMostTilePoints) return {};
+  }
+  return parts;
+}
+
+}  // namespace
+
+Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions& options) {
+  const std::int32_t last = options.level == 0 ? refinement.levelCount() : options.level;
+  if (last < 1 || last > refinement.levelCount()) {
+    return fail(ErrorCode::invalidOption,
+                fmt::format("level {} is out of range; use 1 to {}", last, refinement.levelCount()));
+  }
+  if (options.scratchPoints < 64 || options.scratchPoints > kMostTilePoints) {
+    return fail(ErrorCode::invalidOption,
+                fmt::format("scratchPoints {} is out of range; use 64 to {}", options.scratchPoints, kMostTilePoints));
+  }
+  for (std::int64_t scratch = options.scratchPoints;; scratch /= 2) {
+    TileTable table;
+    table.order = options.order;
+    table.lastLevel = last;
+    table.rootLevel = chooseRoot(refinement, last, std::max<std::int64_t>(scratch, 1));
+    const std::int64_t size = pointsPerTile(refinement, table.rootLevel, last, scratch);
+    TilePlan plan(refinement, table.rootLevel, last,
+                  static_cast<std::int32_t>(std::min<std::int64_t>(size, kMostTilePoints)), options);
+    std::vector<TileParts> parts = assemble(plan);
+    if (parts.empty() && plan.owners.tileCount > 0 && scratch > 0) continue;
+    table.rootPoints = plan.units.rootPoints();
+    for (std::int32_t k = 0; k <= last; ++k) table.pointCount.push_back(refinement.level(k).pointCount());
+    for (const TileParts& part : parts) table.largestTile = std::max(table.largestTile, part.largestTile);
+    Join(parts, table).run();
+    table.shared = std::move(plan.sharing).sets();
+    copyWeights(refinement, table);
+    if (plan.normals) std::move(*plan.normals).moveTo(table.normals);
+    for (const TileNormalRange& range : table.normals.tiles)
+      table.normals.largestTile = std::max(table.normals.largestTile, range.normalCount);
+    numberShared(table);
+    return table;
+  }
+}
+
+std::int64_t TileTable::byteCount() const {
+  const auto bytes = [](const auto& v) { return static_cast<std::int64_t>(v.size() * sizeof(v[0])); };
+  std::int64_t total = bytes(pointCount) + bytes(tiles) + bytes(steps) + bytes(stages) + bytes(imports) +
+                       bytes(indices) + bytes(rows) + bytes(outputs) + bytes(written) + bytes(weights) +
+                       bytes(weightsSingle);
+  total += normals.byteCount();
+  for (const SharedPoints& set : shared) total += set.table.byteCount() + bytes(set.written);
+  return total;
+}
+
+std::int64_t TileNormals::byteCount() const {
+  const auto bytes = [](const auto& v) { return static_cast<std::int64_t>(v.size() * sizeof(v[0])); };
+  std::int64_t total = bytes(tiles) + bytes(imports) + bytes(frames) + bytes(indices) + bytes(firstFace) +
+                       bytes(faces) + bytes(weights) + bytes(weightsSingle);
+  for (const LimitRows& rows : shared) total += rows.byteCount();
+  return total;
+}
+
+std::vector<std::int32_t> TileTable::tilesOf(std::int32_t level, std::span<const std::int32_t> points) const {
+  std::vector<std::uint8_t> wanted(at(pointCount[at(level)]), 0);
+  for (const std::int32_t point : points) wanted[at(point)] = 1;
+  const auto writesAny = [&](const TileStep& step) {
+    if (level < step.level || level >= step.level + step.stageCount) return false;
+    const std::int32_t first = stages[at(step.firstStage + level - step.level)].firstOutput;
+    if (first < 0) return false;
+    const std::int32_t each = step.kind == TileStep::Kind::circulant ? step.width : 1;
+    for (std::int32_t i = 0; i < step.count * each; ++i) {
+      const std::int32_t point =
+          order == TileOrder::tiles ? written[at(first + i)] : outputs[at(first + i / each)] + i % each;
+      if (wanted[at(point)] != 0) return true;
+    }
+    return false;
+  };
+  std::vector<std::int32_t> found;
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    const auto own = std::span(steps).subspan(at(tiles[t].firstStep), at(tiles[t].stepCount));
+    if (std::ranges::any_of(own, writesAny)) found.push_back(static_cast<std::int32_t>(t));
+  }
+  return found;
+}
+
+}  // namespace honeycomb::Far

@@ -1,0 +1,196 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "far/base/result.h"
+#include "far/tables/refinement.h"
+
+namespace honeycomb::Far {
+
+/// The order in which a TileTable writes the points of a level.
+enum class TileOrder : std::uint8_t {
+  levels,  ///< that of the level tables, so that the level's index buffers fit
+  tiles    ///< tile after tile, each a contiguous range: TileTable::order tells which point went where
+};
+
+struct TileOptions {
+  std::int32_t level = 0;             ///< the last level to evaluate; 0: the refinement's last
+  std::int32_t scratchPoints = 8192;  ///< points a tile keeps at once, about, 16 bytes each in single precision: what
+                                      ///< half a second-level cache holds; 64 .. 32768
+  TileOrder order = TileOrder::levels;
+  bool normals = false;  ///< also what fast normals of the last level are made of: see NormalRule
+};
+
+/// Points of a tile are numbered from 0 over all of its levels; kept is twice the number, so that sixteen bits tell
+/// 32,768 points apart and a point of four floats stands at 8 bytes times what is kept, which is an address by itself.
+using TilePoint = std::uint16_t;
+constexpr std::int32_t kMostTilePoints = 32768;
+constexpr TilePoint tilePoint(std::int32_t number) {
+  return static_cast<TilePoint>(2 * number);
+}
+
+/// What the points of a step of a tile go through at one level: the arithmetic of a batch of that level's table.
+struct TileStage {
+  std::int32_t firstWeight = 0;   ///< in TileTable::weights: the form of a circulant, the weights of dense rows
+  std::int32_t firstPoint = -1;   ///< the tile's own number of the first output; -1: nobody in the tile reads them
+  std::int32_t firstOutput = -1;  ///< where they go when this level is the wanted one; -1: another tile writes them.
+                                  ///< TileOrder::levels: in TileTable::outputs, one entry a face or row, its first
+                                  ///< point; TileOrder::tiles: the first point, the others follow
+};
+
+/// Faces (or rows) of a tile that are born at the same level and live equally long. A face evolves alone: its points
+/// at a level are one circulant matrix times its points at the level before, so it is gathered once, at birth, and
+/// its points at all later levels follow without reading anything.
+///     indices   count x sides (circulant) or count x width (dense) own points of the level before birth
+///     loose     rows firstRow .. firstRow + count - 1, their entries one after the other from firstIndex
+struct TileStep {
+  enum class Kind : std::uint8_t { circulant, dense, loose };
+  Kind kind = Kind::circulant;
+  CirculantForm form = CirculantForm::direct;  ///< of a circulant, at all stages
+  std::uint8_t level = 0;                      ///< the level of birth; stage s belongs to level + s
+  std::uint8_t stageCount = 1;                 ///< 1 for rows
+  bool sameWeights = true;                     ///< of all stages
+  std::int32_t width = 0;                      ///< sides, or entries a dense row
+  std::int32_t count = 0;                      ///< faces or rows
+  std::int32_t firstIndex = 0;
+  std::int32_t firstStage = 0;
+  std::int32_t firstRow = 0;
+};
+
+/// A loose row of a tile.
+struct TileRow {
+  std::int32_t firstWeight = 0;
+  std::int32_t entries = 0;
+};
+
+/// A piece of the mesh that is evaluated without looking at another: its faces with all that descends from them, and
+/// the few faces outside whose points they read.
+struct Tile {
+  std::int32_t firstImport = 0;  ///< points read from the root level and from the shared points: own numbers 0 ..
+  std::int32_t importCount = 0;
+  std::int32_t firstStep = 0;
+  std::int32_t stepCount = 0;
+  std::int32_t pointCount = 0;  ///< own points, imports included
+};
+
+/// Faces and rows too large for any tile, and what they read, level after level in compact numbers: evaluated before
+/// the tiles, which import their points.
+struct SharedPoints {
+  /// Points of this set that stand for points of the level: set point `point` + i is output `output` + i.
+  struct Run {
+    std::int32_t point = 0;
+    std::int32_t output = 0;
+    std::int32_t count = 0;
+  };
+  LevelTable table;             ///< from the points of the set before (the root level's at first)
+  std::int32_t firstPoint = 0;  ///< number of the set's first point among those of all sets
+  std::vector<Run> written;     ///< the points that no tile writes
+};
+
+/// Faces of a tile whose normals are found alike: FrameBatch on own points.
+struct TileFrames {
+  std::int32_t sides = 0;
+  std::int32_t count = 0;
+  std::int32_t firstIndex = 0;   ///< in TileNormals::indices, count x sides
+  std::int32_t firstWeight = 0;  ///< in TileNormals::weights: as FrameBatch has them, the tangents alone are used
+};
+
+/// The face normals a tile knows, numbered from 0: those imported, then those of its frames.
+struct TileNormalRange {
+  std::int32_t firstImport = 0;
+  std::int32_t importCount = 0;
+  std::int32_t firstFrames = 0;
+  std::int32_t framesCount = 0;
+  std::int32_t normalCount = 0;
+};
+
+/// What the fast normals of the last level are made of, tile by tile: see NormalRule.
+struct TileNormals {
+  std::vector<TileNormalRange> tiles;  ///< one a tile; empty if the table was built without normals
+  std::vector<std::int32_t> imports;   ///< shared normals
+  std::vector<TileFrames> frames;
+  std::vector<TilePoint> indices;
+  /// Per step that writes the last level: where its outputs begin in `faces`; -1 of others.
+  ///     circulant   for each face its own normal, then `neighbours` normals a corner
+  ///     rows        for each row how many normals, then these
+  /// Normals are kept as points are: twice their number.
+  std::vector<std::int32_t> firstFace;
+  std::vector<TilePoint> faces;
+  std::int32_t neighbours = 1;
+  std::vector<double> weights;
+  std::vector<float> weightsSingle;
+  /// Normals of faces born before the tiles' root level, from the points of levels 0 .. rootLevel; and of faces too
+  /// large for a tile, from the root's points and from shared points (as TileTable::imports numbers them). Elements:
+  /// shared normals.
+  std::vector<LimitRows> shared;
+  std::int32_t sharedCount = 0;
+  /// Per point of the last level that no tile writes (SharedPoints::written, run after run): the shared normals it
+  /// sums.
+  std::vector<std::int32_t> sharedOffsets;
+  std::vector<std::int32_t> sharedFaces;
+  std::int32_t largestTile = 0;  ///< the most normals of a tile
+
+  template <class Real>
+  std::span<const Real> weightsAs() const;
+  std::int64_t byteCount() const;
+};
+
+template <>
+inline std::span<const double> TileNormals::weightsAs<double>() const {
+  return weights;
+}
+template <>
+inline std::span<const float> TileNormals::weightsAs<float>() const {
+  return weightsSingle;
+}
+
+/// A refinement cut into tiles, for evaluators: same points, same bits as level after level, but each tile's points
+/// stay in a cache, only the wanted level is written, and nobody waits for anybody. Compiled from the level tables of
+/// any chain of schemes. Levels up to `rootLevel` are evaluated one after the other where the mesh has more levels than
+/// a tile can hold.
+struct TileTable {
+  std::int32_t rootLevel = 0;
+  std::int32_t lastLevel = 0;
+  TileOrder order = TileOrder::levels;
+  std::int32_t rootPoints = 0;           ///< points of the root level
+  std::vector<std::int32_t> pointCount;  ///< of levels 0 .. lastLevel
+  std::vector<Tile> tiles;
+  std::vector<TileStep> steps;
+  std::vector<TileStage> stages;
+  std::vector<std::int32_t> imports;  ///< points of the root level, or rootPoints + number of a shared point
+  std::vector<TilePoint> indices;
+  std::vector<TileRow> rows;
+  std::vector<std::int32_t> outputs;
+  std::vector<std::int32_t> written;  ///< TileOrder::tiles: written[i] is the level's number of the point written i-th
+  std::vector<double> weights;        ///< of all level tables
+  std::vector<float> weightsSingle;   ///< the same, rounded
+  std::vector<SharedPoints> shared;   ///< of levels rootLevel + 1 .. lastLevel; empty where nothing is too large
+  std::int32_t largestTile = 0;       ///< the most points of a tile
+  TileNormals normals;
+
+  template <class Real>
+  std::span<const Real> weightsAs() const;
+  /// Bytes held by the arrays.
+  std::int64_t byteCount() const;
+  /// The tiles that write the points `points` of level `level`, ascending: evaluating only these gives those points.
+  /// Linear in the table. Points that no tile writes (those of shared faces) are written with any choice of tiles.
+  std::vector<std::int32_t> tilesOf(std::int32_t level, std::span<const std::int32_t> points) const;
+};
+
+template <>
+inline std::span<const double> TileTable::weightsAs<double>() const {
+  return weights;
+}
+template <>
+inline std::span<const float> TileTable::weightsAs<float>() const {
+  return weightsSingle;
+}
+
+/// Cuts a refinement into tiles, in parallel and always alike. Errors: invalidOption for a level that the refinement
+/// doesn't have or scratchPoints out of range.
+/// Linear in the refinement's tables.
+Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions& options = {});
+
+}  // namespace honeycomb::Far

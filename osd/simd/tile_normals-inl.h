@@ -1,0 +1,254 @@
+// Fast normals of tiles on vectors. Compiled once a Highway target; no include guard but Highway's.
+#if defined(HONEYCOMB_OSD_SIMD_TILE_NORMALS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef HONEYCOMB_OSD_SIMD_TILE_NORMALS_INL_H
+#undef HONEYCOMB_OSD_SIMD_TILE_NORMALS_INL_H
+#else
+#define HONEYCOMB_OSD_SIMD_TILE_NORMALS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+#include <limits>
+
+#include "osd/simd/points-inl.h"
+#include "osd/simd/sinks-inl.h"
+#include "osd/tile_normal_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace honeycomb::Osd::Simd::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// (y z x w) of each block.
+template <class D>
+HWY_INLINE hn::Vec<D> turnedOnce(D d, hn::Vec<D> v) {
+  const hn::Repartition<std::uint8_t, D> bytes;
+  alignas(16) static constexpr std::uint8_t kTurn[16] = {4, 5, 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 12, 13, 14, 15};
+  return hn::BitCast(d, hn::TableLookupBytes(hn::BitCast(bytes, v), hn::LoadDup128(bytes, kTurn)));
+}
+
+/// (z x y w) of each block.
+template <class D>
+HWY_INLINE hn::Vec<D> turnedTwice(D d, hn::Vec<D> v) {
+  const hn::Repartition<std::uint8_t, D> bytes;
+  alignas(16) static constexpr std::uint8_t kTurn[16] = {8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7, 12, 13, 14, 15};
+  return hn::BitCast(d, hn::TableLookupBytes(hn::BitCast(bytes, v), hn::LoadDup128(bytes, kTurn)));
+}
+
+template <class D>
+HWY_INLINE hn::Vec<D> cross(D d, hn::Vec<D> a, hn::Vec<D> b) {
+  return turnedOnce(d, a) * turnedTwice(d, b) - turnedTwice(d, a) * turnedOnce(d, b);
+}
+
+/// The squares of the lengths of the blocks of one to four vectors: lane i of a block is that of v[i].
+template <int kCount, class D>
+HWY_INLINE hn::Vec<D> squareLengths(D d, const hn::Vec<D>* v) {
+  const hn::Repartition<double, D> pairs;
+  const auto both = [&](auto a, auto b) {
+    return hn::InterleaveLower(pairs, hn::BitCast(pairs, a), hn::BitCast(pairs, b));
+  };
+  const auto a = v[kCount > 1 ? 1 : 0];
+  const auto b = v[kCount > 2 ? 2 : 0];
+  const auto c = v[kCount > 3 ? 3 : 0];
+  const auto xy01 = hn::InterleaveLower(d, v[0], a);
+  const auto xy23 = hn::InterleaveLower(d, b, c);
+  const auto x = hn::BitCast(d, both(xy01, xy23));
+  const auto y = hn::BitCast(d, hn::InterleaveUpper(pairs, hn::BitCast(pairs, xy01), hn::BitCast(pairs, xy23)));
+  const auto z = hn::BitCast(d, both(hn::InterleaveUpper(d, v[0], a), hn::InterleaveUpper(d, b, c)));
+  return (x * x + y * y) + z * z;
+}
+
+/// v[i] * (lane i of r), the zero vector where that lane is 0; `sound`: none is.
+template <int kLane, int kCount, class D>
+HWY_INLINE void scale(D d, hn::Vec<D>* v, hn::Vec<D> r, bool sound) {
+  const auto own = hn::Broadcast<kLane>(r);
+  v[kLane] = sound ? v[kLane] * own : hn::IfThenElseZero(own != hn::Zero(d), v[kLane] * own);
+  if constexpr (kLane + 1 < kCount) scale<kLane + 1, kCount>(d, v, r, sound);
+}
+
+/// Makes the blocks of one to four vectors unit, those too short or not finite zero. Root and division are slow, so
+/// that they do all at once.
+template <int kCount, class D>
+HWY_INLINE void makeUnit(D d, hn::Vec<D>* v) {
+  const auto q = squareLengths<kCount>(d, v);
+  const auto sound =
+      hn::And(q >= hn::Set(d, std::numeric_limits<float>::min()), q <= hn::Set(d, std::numeric_limits<float>::max()));
+  const auto r = hn::Set(d, 1.0f) / hn::Sqrt(q);
+  if (HWY_LIKELY(hn::AllTrue(d, sound))) {
+    scale<0, kCount>(d, v, r, true);
+  } else {
+    scale<0, kCount>(d, v, hn::IfThenElseZero(sound, r), false);
+  }
+}
+
+/// The same for any number of vectors.
+template <class D>
+HWY_INLINE void makeAllUnit(D d, hn::Vec<D>* v, int count) {
+  int i = 0;
+  for (; i + 4 <= count; i += 4) makeUnit<4>(d, v + i);
+  for (; i + 2 <= count; i += 2) makeUnit<2>(d, v + i);
+  if (i < count) makeUnit<1>(d, v + i);
+}
+
+/// The weights of both tangents of faces of N sides, each in every lane; any number of sides if N is 0.
+template <int N, class D>
+struct TangentWeights {
+  hn::Vec<D> cosine[N], sine[N];
+  HWY_INLINE TangentWeights(D d, const float* w, int) {
+    HWY_UNROLL(8)
+    for (int j = 0; j < N; ++j) {
+      cosine[j] = hn::Set(d, w[N + j]);
+      sine[j] = hn::Set(d, w[2 * N + j]);
+    }
+  }
+  HWY_INLINE hn::Vec<D> first(int j) const { return cosine[j]; }
+  HWY_INLINE hn::Vec<D> second(int j) const { return sine[j]; }
+};
+template <class D>
+struct TangentWeights<0, D> {
+  D d;
+  const float* w;
+  int n;
+  HWY_INLINE TangentWeights(D tag, const float* weights, int sides) : d(tag), w(weights), n(sides) {}
+  HWY_INLINE hn::Vec<D> first(int j) const { return hn::Set(d, w[n + j]); }
+  HWY_INLINE hn::Vec<D> second(int j) const { return hn::Set(d, w[2 * n + j]); }
+};
+
+/// T1 x T2 of the K faces whose corners begin at `index`, n apart.
+template <int N, class D>
+HWY_INLINE hn::Vec<D> crossedTangents(D d, const TangentWeights<N, D>& w, const float* points,
+                                      const Far::TilePoint* index, int n) {
+  const auto p = loadOwn(d, points, index, at(n));
+  auto t1 = w.first(0) * p;
+  auto t2 = w.second(0) * p;
+  HWY_UNROLL(8)
+  for (int j = 1; j < n; ++j) {
+    const auto q = loadOwn(d, points, index + j, at(n));
+    t1 = t1 + w.first(j) * q;
+    t2 = t2 + w.second(j) * q;
+  }
+  return cross(d, t1, t2);
+}
+
+/// Normals of faces g .. of a batch, as many as vectors of D hold at once, kAtOnce vectors at a time. Returns the first
+/// face left. N: their sides, or 0.
+template <int N, int kAtOnce, class D>
+HWY_INLINE std::int32_t frameNormals(D d, const Far::TileFrames& frames, const float* weights,
+                                     const Far::TilePoint* index, const float* points, float* normals, std::int32_t g) {
+  const int n = N > 0 ? N : frames.sides;
+  const TangentWeights<N, D> w(d, weights, n);
+  for (; g + kAtOnce * kBlocks<D> <= frames.count; g += kAtOnce * kBlocks<D>) {
+    hn::Vec<D> v[kAtOnce];
+    HWY_UNROLL(4)
+    for (int i = 0; i < kAtOnce; ++i) {
+      v[i] = crossedTangents<N>(d, w, points, index + (g + i * kBlocks<D>)*n, n);
+    }
+    makeUnit<kAtOnce>(d, v);
+    HWY_UNROLL(4)
+    for (int i = 0; i < kAtOnce; ++i) hn::StoreU(v[i], d, normals + Kernels::kTileStride * (g + i * kBlocks<D>));
+  }
+  return g;
+}
+
+template <int N>
+void normalsOfFrames(const Far::TileFrames& frames, const float* w, const Far::TilePoint* index, const float* points,
+                     float* normals) {
+  std::int32_t g = frameNormals<N, 4>(HWY_CAPPED(float, 16)(), frames, w, index, points, normals, 0);
+  g = frameNormals<N, 4>(Block(), frames, w, index, points, normals, g);
+  frameNormals<N, 1>(Block(), frames, w, index, points, normals, g);
+}
+
+HWY_INLINE void faceNormals(const Far::TileNormals& table, const Far::TileNormalRange& tile, const float* points,
+                            const Kernels::NormalViews<float>& views) {
+  float* normals = views.scratch;
+  for (std::int32_t i = 0; i < tile.importCount; ++i, normals += Kernels::kTileStride) {
+    const float* from = views.shared.point(table.imports[at(tile.firstImport + i)]);
+    std::copy_n(from, 3, normals);
+    normals[3] = 0;
+  }
+  for (std::int32_t b = tile.firstFrames; b < tile.firstFrames + tile.framesCount; ++b) {
+    const Far::TileFrames& frames = table.frames[at(b)];
+    const float* w = table.weightsSingle.data() + frames.firstWeight;
+    const Far::TilePoint* index = table.indices.data() + frames.firstIndex;
+    if (frames.sides == 6) {
+      normalsOfFrames<6>(frames, w, index, points, normals);
+    } else {
+      normalsOfFrames<0>(frames, w, index, points, normals);
+    }
+    normals += Kernels::kTileStride * frames.count;
+  }
+}
+
+/// Normals of the outputs of the faces of a step; N sides, or any number if 0. Returns the first face left.
+template <int N, class D, class Sink>
+HWY_INLINE std::int32_t cornerNormals(D d, const Far::TileStep& step, const Far::TilePoint* faces, int neighbours,
+                                      const Kernels::StageTarget& target, const float* normals, Sink& sink,
+                                      std::int32_t g) {
+  const int n = N > 0 ? N : step.width;
+  const std::size_t stride = at(1 + n * neighbours);
+  for (; g + kBlocks<D> <= step.count; g += kBlocks<D>) {
+    const Far::TilePoint* index = faces + at(g) * stride;
+    const auto own = loadOwn(d, normals, index++, stride);
+    const auto twice = own + own;
+    hn::Vec<D> v[N > 0 ? N : Far::kLargestCirculant];
+    HWY_UNROLL(8)
+    for (int i = 0; i < n; ++i) {
+      v[i] = twice + loadOwn(d, normals, index++, stride);
+      if (neighbours > 1) v[i] = v[i] + loadOwn(d, normals, index++, stride);
+    }
+    makeAllUnit(d, v, n);
+    sink.put(d, v, n, target, g);
+  }
+  return g;
+}
+
+template <int N, class Sink>
+void stepCornerNormals(const Far::TileStep& step, const Far::TilePoint* faces, int neighbours,
+                       const Kernels::StageTarget& target, const float* normals, Sink& sink) {
+  std::int32_t g = 0;
+  if constexpr (N > 0) g = cornerNormals<N>(HWY_CAPPED(float, 16)(), step, faces, neighbours, target, normals, sink, g);
+  cornerNormals<N>(Block(), step, faces, neighbours, target, normals, sink, g);
+}
+
+template <class Sink>
+void rowNormals(const Far::TileStep& step, const Far::TilePoint* faces, const Kernels::StageTarget& target,
+                const float* normals, Sink& sink) {
+  const Block d;
+  for (std::int32_t r = 0; r < step.count; ++r) {
+    const std::int32_t count = *faces++;
+    auto sum = hn::Zero(d);
+    if (count > 0) sum = loadOwn(d, normals, faces, 1);
+    for (std::int32_t i = 1; i < count; ++i) sum = sum + loadOwn(d, normals, faces + i, 1);
+    makeUnit<1>(d, &sum);
+    sink.put(d, &sum, 1, target, r);
+    faces += count;
+  }
+}
+
+template <class Sink>
+void vertexNormals(const Far::TileTable& table, const Far::Tile& tile, const Kernels::NormalViews<float>& views) {
+  Sink sink(views.target, views.stream);
+  for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
+    if (table.normals.firstFace[at(s)] < 0) continue;
+    const Far::TileStep& step = table.steps[at(s)];
+    const Kernels::StageTarget target = Kernels::stageTarget(table, step, step.stageCount - 1, table.lastLevel);
+    const Far::TilePoint* faces = table.normals.faces.data() + table.normals.firstFace[at(s)];
+    const int neighbours = table.normals.neighbours;
+    if (step.kind != Far::TileStep::Kind::circulant) {
+      rowNormals(step, faces, target, views.scratch, sink);
+    } else if (step.width == 6) {
+      stepCornerNormals<6>(step, faces, neighbours, target, views.scratch, sink);
+    } else if (step.width == 4) {
+      stepCornerNormals<4>(step, faces, neighbours, target, views.scratch, sink);
+    } else {
+      stepCornerNormals<0>(step, faces, neighbours, target, views.scratch, sink);
+    }
+  }
+  sink.finish();
+}
+
+}  // namespace honeycomb::Osd::Simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

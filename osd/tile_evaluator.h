@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "far/base/pool.h"
+#include "far/base/result.h"
+#include "far/tables/refinement.h"
+#include "far/tables/tile_table.h"
+#include "osd/buffer_descriptor.h"
+#include "osd/cpu_evaluator.h"
+#include "osd/tile_shared.h"
+
+namespace honeycomb::Osd {
+
+struct TileEvaluatorOptions {
+  CpuEvaluator::Threads threads = CpuEvaluator::Threads::all;
+  CpuEvaluator::Instructions instructions = CpuEvaluator::Instructions::vectors;
+  /// Outputs of this many bytes go past the caches: read for ownership first they would cost memory twice. Measured:
+  /// from 20 MB on two to four times the bytes a second, below 4 MB half of them.
+  std::int64_t streamedBytes = std::int64_t{16} << 20;
+};
+
+/// What else is wanted of an evaluation.
+template <class Real>
+struct TileRequest {
+  /// Unit normals of the last level's points (length 3), of tiles built with normals: see NormalRule. Empty: none.
+  PointsOut<Real> normals = {};
+  /// Ascending numbers of tiles: the points of these alone, at their cost; others are left untouched. None: all.
+  std::optional<std::span<const std::int32_t>> only = {};
+};
+
+/// Evaluates refinements tile by tile: the bits of the evaluators that go level after level, several times as fast.
+/// Tiles are handed to the threads of the caller's oneTBB arena as they come free. One evaluator belongs to one thread
+/// at a time; tables are only read and may be shared.
+class TileEvaluator {
+ public:
+  explicit TileEvaluator(const TileEvaluatorOptions& options = {})
+      : options_(options), chained_(options.threads, options.instructions) {}
+
+  /// From the control points to level `level` (1 .. tiles.lastLevel) of the refinement that the tiles were built from;
+  /// a lower level costs what it has.
+  /// Errors: invalidOption for a level out of range, for TileOrder::tiles or normals a level before the last, buffers
+  /// too small.
+  template <class Real>
+  Result<void> evaluate(const Far::Refinement& refinement, const Far::TileTable& tiles, std::int32_t level,
+                        const Points<Real>& control, const PointsOut<Real>& refined,
+                        const TileRequest<Real>& request = {});
+
+ private:
+  template <class Real>
+  struct Memory {
+    TileShared<Real> shared;
+    Pool<std::vector<Real>> scratch;
+  };
+  template <class Real>
+  struct Scratch;
+  template <class Real>
+  Memory<Real>& memory();
+  template <class Real>
+  Result<void> check(const Far::TileTable& tiles, std::int32_t level, const Points<Real>& control,
+                     const PointsOut<Real>& refined, const TileRequest<Real>& request) const;
+  template <class Real>
+  void evaluateTile(const Far::TileTable& tiles, std::int32_t number, std::int32_t level,
+                    const PointsOut<Real>& refined, const PointsOut<Real>& normals, const TileShared<Real>& shared,
+                    const Scratch<Real>& scratch) const;
+
+  TileEvaluatorOptions options_;
+  CpuEvaluator chained_;
+  Memory<float> single_;
+  Memory<double> double_;
+};
+
+}  // namespace honeycomb::Osd

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "far/base/index.h"
+#include "far/tables/tile_table.h"
+#include "osd/tile_kernels.h"
+
+/// Fast normals of tiles in plain loops, behind the points of the same tile.
+namespace honeycomb::Osd::Kernels {
+
+/// What a tile's normals are found from and where they go.
+template <class Real>
+struct NormalViews {
+  View<const Real> shared;  ///< shared normals
+  View<Real> target;        ///< normals of the last level
+  Real* scratch;            ///< the tile's own face normals, kTileStride apart
+  Real* stream = nullptr;   ///< as TileViews::stream
+};
+
+/// The normals of the faces that a tile knows.
+template <class Real>
+void tileFaceNormals(const Far::TileNormals& table, const Far::TileNormalRange& tile, const Real* points,
+                     const NormalViews<Real>& views) {
+  const View<Real> own{views.scratch, kTileStride};
+  const View<const Real> corners = byTilePoint(points);
+  for (std::int32_t i = 0; i < tile.importCount; ++i) {
+    store(load<3>(views.shared.point(table.imports[at(tile.firstImport + i)])), own.point(i));
+  }
+  std::int32_t normal = tile.importCount;
+  for (const Far::TileFrames& frames : std::span(table.frames).subspan(at(tile.firstFrames), at(tile.framesCount))) {
+    const std::int32_t n = frames.sides;
+    const Real* w = table.weightsAs<Real>().data() + frames.firstWeight;
+    const Far::TilePoint* index = table.indices.data() + frames.firstIndex;
+    for (std::int32_t g = 0; g < frames.count; ++g, index += n) {
+      const auto t1 = blockedSum<3>(w + n, index, n, corners);
+      const auto t2 = blockedSum<3>(w + 2 * std::int64_t{n}, index, n, corners);
+      store(unitNormal(t1, t2), own.point(normal++));
+    }
+  }
+}
+
+/// The normals of a step's outputs of the last level.
+template <class Real>
+void tileVertexNormals(const Far::TileTable& table, std::int32_t number, const NormalViews<Real>& views) {
+  const Far::TileNormals& normals = table.normals;
+  const Far::TileStep& step = table.steps[at(number)];
+  const StageTarget target = stageTarget(table, step, step.stageCount - 1, table.lastLevel);
+  const View<const Real> own = byTilePoint<Real>(views.scratch);
+  const Far::TilePoint* face = normals.faces.data() + normals.firstFace[at(number)];
+  if (step.kind != Far::TileStep::Kind::circulant) {
+    for (std::int32_t r = 0; r < step.count; face += 1 + face[0], ++r) {
+      store(normalSum(face + 1, face[0], own), views.target.point(target.of(r, 1)));
+    }
+    return;
+  }
+  const std::int32_t neighbours = normals.neighbours;
+  for (std::int32_t g = 0; g < step.count; ++g) {
+    const auto twice = load<3>(own.point(face[0])) + load<3>(own.point(face[0]));
+    ++face;
+    const std::int32_t first = target.of(g, step.width);
+    for (std::int32_t i = 0; i < step.width; ++i) {
+      auto sum = twice;
+      for (std::int32_t j = 0; j < neighbours; ++j) sum = sum + load<3>(own.point(*face++));
+      store(unit(sum), views.target.point(first + i));
+    }
+  }
+}
+
+template <class Real>
+void evaluateTileNormals(const Far::TileTable& table, std::int32_t number, const Real* points,
+                         const NormalViews<Real>& views) {
+  tileFaceNormals(table.normals, table.normals.tiles[at(number)], points, views);
+  const Far::Tile& tile = table.tiles[at(number)];
+  for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
+    if (table.normals.firstFace[at(s)] >= 0) tileVertexNormals(table, s, views);
+  }
+}
+
+}  // namespace honeycomb::Osd::Kernels

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "far/base/result.h"
+#include "far/tables/refinement.h"
+#include "far/tables/tile_table.h"
+#include "osd/buffer_descriptor.h"
+#include "osd/cpu_evaluator.h"
+
+namespace honeycomb::Osd {
+
+/// What all tiles read, evaluated before them: the root level, the points too large for a tile, their normals.
+template <class Real>
+class TileShared {
+ public:
+  /// Up to level `level`; the points that no tile writes go to `refined` and their normals to `normals`, unless that
+  /// is empty.
+  Result<void> evaluate(CpuEvaluator& evaluator, const Far::Refinement& refinement, const Far::TileTable& tiles,
+                        std::int32_t level, const Points<Real>& control, const PointsOut<Real>& refined,
+                        const PointsOut<Real>& normals);
+
+  const Points<Real>& root() const { return root_; }
+  const std::vector<Real>& points() const { return shared_; }
+  const std::vector<Real>& normals() const { return normals_; }
+
+ private:
+  Result<void> evaluateRoot(CpuEvaluator& evaluator, const Far::Refinement& refinement, const Far::TileTable& tiles,
+                            bool normals);
+  Result<void> evaluateSets(CpuEvaluator& evaluator, const Far::TileTable& tiles, std::int32_t level,
+                            const PointsOut<Real>& refined);
+  void findNormals(const Far::LimitRows& rows, const Points<Real>& points);
+  void writeNormals(const Far::TileTable& tiles, const PointsOut<Real>& normals) const;
+
+  Points<Real> root_;
+  std::vector<Real> levels_[2];
+  std::vector<Real> shared_;
+  std::vector<Real> normals_;
+};
+
+}  // namespace honeycomb::Osd

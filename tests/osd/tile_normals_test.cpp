@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include "far/schemes/akleman.h"
+#include "far/tables/normal_rule.h"
+#include "osd/normal_evaluator.h"
+#include "osd/tile_evaluator.h"
+#include "tests/support/creased.h"
+#include "tests/support/refined.h"
+#include "tests/support/scheme_list.h"
+#include "tests/support/shapes.h"
+
+namespace honeycomb::Test {
+namespace {
+
+using Instructions = Osd::CpuEvaluator::Instructions;
+
+constexpr std::uint64_t kMeshes = meshes(40);
+
+template <class Real>
+class TileNormals : public testing::Test {};
+
+using Reals = testing::Types<float, double>;
+TYPED_TEST_SUITE(TileNormals, Reals);
+
+template <class Real>
+struct Surface {
+  std::vector<Real> points;
+  std::vector<Real> normals;
+};
+
+template <class Real>
+bool sameBits(const std::vector<Real>& a, const std::vector<Real>& b) {
+  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+  return std::ranges::equal(a, b, [](Real x, Real y) { return std::bit_cast<Bits>(x) == std::bit_cast<Bits>(y); });
+}
+
+template <class Real>
+Surface<Real> empty(const Far::Refinement& refinement) {
+  const auto numbers = 3 * static_cast<std::size_t>(refinement.last().pointCount());
+  return {std::vector<Real>(numbers, Real{7}), std::vector<Real>(numbers, Real{7})};
+}
+
+template <class Real>
+Surface<Real> levelByLevel(const Far::Refinement& refinement, const std::vector<Real>& control) {
+  const auto table = Far::buildNormalTable(refinement, refinement.levelCount());
+  EXPECT_TRUE(table.has_value());
+  Surface<Real> surface = empty<Real>(refinement);
+  Osd::NormalEvaluator evaluator(Osd::CpuEvaluator::Threads::one);
+  EXPECT_TRUE(evaluator.evaluate(refinement, *table, Osd::Points<Real>{control, {}},
+                                 Osd::PointsOut<Real>{surface.points, {}}, Osd::PointsOut<Real>{surface.normals, {}}));
+  return surface;
+}
+
+template <class Real>
+Surface<Real> byTiles(const Far::Refinement& refinement, const Far::TileTable& tiles, const std::vector<Real>& control,
+                      const Osd::TileEvaluatorOptions& options) {
+  Surface<Real> surface = empty<Real>(refinement);
+  Osd::TileEvaluator evaluator(options);
+  const auto done = evaluator.evaluate(refinement, tiles, tiles.lastLevel, Osd::Points<Real>{control, {}},
+                                       Osd::PointsOut<Real>{surface.points, {}},
+                                       Osd::TileRequest<Real>{Osd::PointsOut<Real>{surface.normals, {}}, {}});
+  EXPECT_TRUE(done.has_value()) << (done ? "" : done.error().message);
+  return surface;
+}
+
+template <class Real>
+void compare(const Far::Refinement& refinement, std::int32_t scratchPoints, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Real> control(3 * static_cast<std::size_t>(refinement.level(0).pointCount()));
+  for (Real& x : control) x = static_cast<Real>(random.symmetric());
+  const auto tiles = Far::buildTileTable(refinement, {.scratchPoints = scratchPoints, .normals = true});
+  ASSERT_TRUE(tiles.has_value()) << tiles.error().message;
+  const Surface<Real> expected = levelByLevel(refinement, control);
+  constexpr std::int64_t kNever = std::int64_t{1} << 60;
+  const auto threads = Osd::CpuEvaluator::Threads::one;
+  for (const Osd::TileEvaluatorOptions& options : {Osd::TileEvaluatorOptions{threads, Instructions::plain, kNever},
+                                                   {threads, Instructions::vectors, kNever},
+                                                   {threads, Instructions::vectors, 0}}) {
+    const Surface<Real> surface = byTiles(refinement, *tiles, control, options);
+    ASSERT_TRUE(sameBits(surface.points, expected.points));
+    ASSERT_TRUE(sameBits(surface.normals, expected.normals))
+        << "vectors " << (options.instructions == Instructions::vectors) << ", streamed from " << options.streamedBytes;
+  }
+}
+
+TYPED_TEST(TileNormals, AreThoseOfTheLevelsOnRandomMeshes) {
+  for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto scratch = static_cast<std::int32_t>(64 + 97 * seed % 2000);
+    ASSERT_NO_FATAL_FAILURE(
+        compare<TypeParam>(refined(randomMesh(seed), schemeCase(NamedTension::paper).scheme, 3), scratch, seed));
+  }
+}
+
+TYPED_TEST(TileNormals, AreThoseOfTheLevelsUnderEveryScheme) {
+  for (const PolyMesh& mesh : {torus(12, 9), grid(9, 11)}) {
+    for (const ListedScheme& scheme : listedSchemes()) {
+      SCOPED_TRACE(scheme.name);
+      ASSERT_NO_FATAL_FAILURE(compare<TypeParam>(refinedBy(scheme, toTopology(mesh), 3), 600, 3));
+    }
+  }
+}
+
+TYPED_TEST(TileNormals, AreThoseOfTheLevelsWithCreases) {
+  for (const CreasedMesh& mesh : creasedMeshes(1.5)) {
+    const auto refinement = Far::refine(creased(mesh.mesh, mesh.creases), *Far::akleman(), 3);
+    ASSERT_NO_FATAL_FAILURE(compare<TypeParam>(*refinement, 300, 4)) << mesh.name;
+  }
+}
+
+TYPED_TEST(TileNormals, OfWhatIsTooLargeForTilesAreFoundForAllOfThem) {
+  for (const PolyMesh& mesh : {prism(1000), pillow(300), wheel(700), fan(700)}) {
+    ASSERT_NO_FATAL_FAILURE(compare<TypeParam>(refined(mesh, schemeCase(NamedTension::paper).scheme, 3), 1000, 5));
+  }
+  for (const ListedScheme& scheme : listedSchemes()) {
+    SCOPED_TRACE(scheme.name);
+    ASSERT_NO_FATAL_FAILURE(compare<TypeParam>(refinedBy(scheme, toTopology(prism(400)), 2), 1000, 6));
+  }
+}
+
+double degreesBetween(const float* a, const Vec3& b) {
+  const double dot = double{a[0]} * b[0] + double{a[1]} * b[1] + double{a[2]} * b[2];
+  return std::acos(std::clamp(dot, -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
+TEST(TileNormal, IsWithinAHalfDegreeOfTheExactNormalOnAverage) {
+  // A rough torus at level 4; the exact normal is that of the vertex's child face.
+  PolyMesh mesh = torus(16, 12);
+  Random random(9);
+  for (Vec3& p : mesh.points) {
+    for (double& x : p) x += 0.1 * random.symmetric();
+  }
+  const Far::Refinement refinement = refined(mesh, schemeCase(NamedTension::paper).scheme, 4, {}, true);
+  const Surface<float> fast = levelByLevel(refinement, pack<float>(mesh.points));
+  const Limits exact = vertexLimits<double>(refinement, levelPoints<double>(refinement, 4, mesh.points));
+  double sum = 0;
+  double worst = 0;
+  for (std::size_t v = 0; v < exact.normals.size(); ++v) {
+    const double angle = degreesBetween(fast.normals.data() + 3 * v, exact.normals[v]);
+    sum += angle;
+    worst = std::max(worst, angle);
+  }
+  EXPECT_LT(sum / static_cast<double>(exact.normals.size()), 1.0);
+  EXPECT_LT(worst, 15.0);
+}
+
+TEST(TileNormal, IsRefusedWhereTheTilesHaveNone) {
+  const Far::Refinement refinement = refined(cube(), schemeCase(NamedTension::paper).scheme, 2);
+  const std::vector<float> control(24);
+  Surface<float> surface = empty<float>(refinement);
+  Osd::TileEvaluator evaluator;
+  const auto evaluate = [&](const Far::TileTable& tiles, std::int32_t level, std::size_t numbers) {
+    return evaluator.evaluate<float>(refinement, tiles, level, {control, {}}, {surface.points, {}},
+                                     {{std::span(surface.normals).first(numbers), {}}, {}});
+  };
+  const auto without = Far::buildTileTable(refinement);
+  const auto with = Far::buildTileTable(refinement, {.normals = true});
+  EXPECT_TRUE(evaluate(*with, 2, surface.normals.size()).has_value());
+  EXPECT_FALSE(evaluate(*without, 2, surface.normals.size()).has_value());
+  EXPECT_FALSE(evaluate(*with, 1, surface.normals.size()).has_value());
+  EXPECT_FALSE(evaluate(*with, 2, surface.normals.size() - 1).has_value());
+}
+
+}  // namespace
+}  // namespace honeycomb::Test
