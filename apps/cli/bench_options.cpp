@@ -19,12 +19,13 @@ constexpr std::string_view kUsualLevels = "3,4";
 constexpr std::int32_t kMostSamples = 10000;
 constexpr double kLongestSample = 60000;
 
-struct NormalsChoice {
+struct NormalsTimed {
   std::string_view name;
   Bench::Normals normals;
 };
-constexpr std::array kNormals{NormalsChoice{"none", Bench::Normals::none}, NormalsChoice{"fast", Bench::Normals::fast},
-                              NormalsChoice{"exact", Bench::Normals::exact}};
+constexpr std::array kNormalsTimed{NormalsTimed{"none", Bench::Normals::none},
+                                   NormalsTimed{"fast", Bench::Normals::fast},
+                                   NormalsTimed{"exact", Bench::Normals::exact}};
 
 /// "3,4" -> a chain for each; a chain that says its levels itself has one.
 Result<std::vector<ChainRequest>> readChains(const BenchCommand& command) {
@@ -99,7 +100,7 @@ void BenchCommand::addTo(CLI::App& subcommand) {
   subcommand.add_option("--evaluators", evaluators, "Which, as in serial,tbb: all, " + names(Bench::evaluators()))
       ->capture_default_str();
   subcommand.add_option("--layouts", layouts, "Numbers of a point: " + names(Bench::layouts()))->capture_default_str();
-  subcommand.add_option("--normals", normals, "Normals of the vertices besides: " + names(kNormals))
+  subcommand.add_option("--normals", normals, "Normals of the vertices besides: " + names(kNormalsTimed))
       ->capture_default_str();
   subcommand.add_option("--samples", sampling.samples, "Times that each evaluator has its turn")->capture_default_str();
   subcommand.add_option("--sample-ms", sampling.sampleMs, "Milliseconds a turn takes at least")->capture_default_str();
@@ -116,7 +117,7 @@ Result<BenchPlan> readPlan(const BenchCommand& command) {
   if (!evaluators) return tl::unexpected(evaluators.error());
   const auto layouts = readList(Bench::layouts(), "--layouts", command.layouts);
   if (!layouts) return tl::unexpected(layouts.error());
-  const auto normals = choose(kNormals, "--normals", command.normals);
+  const auto normals = choose(kNormalsTimed, "--normals", command.normals);
   if (!normals) return tl::unexpected(normals.error());
   BenchPlan plan{std::move(*chains), std::move(*evaluators), {}, (*normals)->normals};
   for (const Bench::Layout* layout : *layouts) plan.layouts.push_back(*layout);

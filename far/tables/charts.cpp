@@ -18,7 +18,7 @@ constexpr double kLeastArea = 1e-3;
 constexpr double kFarthest = 16;
 
 /// Of values on the two sides of a crease, relative to the largest there is.
-constexpr double kRounding = 1e-9;
+constexpr double kCreaseRounding = 1e-9;
 
 double cross(std::complex<double> a, std::complex<double> b) {
   return a.real() * b.imag() - a.imag() * b.real();
@@ -35,7 +35,7 @@ Charts::Charts(const Topology& topology, std::span<const std::int32_t> corners, 
       firstCentral_(firstCentral),
       creases_(topology) {
   if (!mayHaveSeams) return;
-  for (const double x : values) tolerance_ = std::max(tolerance_, kRounding * std::abs(x));
+  for (const double x : values) tolerance_ = std::max(tolerance_, kCreaseRounding * std::abs(x));
   findSeams();
   if (seams_ && planar()) findFrames();
 }

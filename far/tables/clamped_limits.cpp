@@ -129,8 +129,8 @@ LimitFrame gapFrame(const Topology& topology, std::int32_t h, const std::array<d
 }
 
 /// Bernstein values and derivative weights, up to a factor, of a cubic at 1/3, 2/3 and 1/2.
-constexpr std::array<double, 4> kThird{8.0 / 27, 12.0 / 27, 6.0 / 27, 1.0 / 27};
-constexpr std::array<double, 4> kThirdTangent{-4, 0, 3, 1};
+constexpr std::array<double, 4> kOneThird{8.0 / 27, 12.0 / 27, 6.0 / 27, 1.0 / 27};
+constexpr std::array<double, 4> kOneThirdTangent{-4, 0, 3, 1};
 constexpr std::array<double, 4> kTwoThirds{1.0 / 27, 6.0 / 27, 12.0 / 27, 8.0 / 27};
 constexpr std::array<double, 4> kTwoThirdsTangent{-1, -3, 0, 4};
 constexpr std::array<double, 4> kHalf{1.0 / 8, 3.0 / 8, 3.0 / 8, 1.0 / 8};
@@ -197,7 +197,7 @@ bool besideClampedBoundary(const Topology& topology, std::int32_t v) {
 LimitFrame clampedBoundaryFrame(const Topology& topology, std::int32_t v, bool smoothCorners) {
   const std::int32_t h = topology.outgoing(v);
   const std::int32_t f = topology.face(h);
-  if (topology.run(f).kind == FaceKind::clampedGap) return gapFrame(topology, h, kThird, kThirdTangent);
+  if (topology.run(f).kind == FaceKind::clampedGap) return gapFrame(topology, h, kOneThird, kOneThirdTangent);
   const std::int32_t first = topology.faceOffsets()[at(f)];
   if (h != first) return clampedFaceFrame(topology, f, smoothCorners);
   const std::int32_t gap = topology.twin(topology.prev(h)) - 1;

@@ -1,17 +1,9 @@
 #include "far/tables/level_table.h"
 
+#include "far/base/bytes.h"
 #include "far/tables/limit_table.h"
 
 namespace honeycomb::Far {
-
-namespace {
-
-template <class T>
-std::int64_t bytes(const std::vector<T>& v) {
-  return static_cast<std::int64_t>(v.size() * sizeof(T));
-}
-
-}  // namespace
 
 std::int64_t LevelTable::byteCount() const {
   return bytes(circulants) + bytes(projected) + bytes(dense) + bytes(loose.outputs) + bytes(loose.offsets) +

@@ -10,7 +10,7 @@ namespace honeycomb::Far {
 namespace {
 
 /// Rows below which a piece isn't cut again: each piece has marker arrays as wide as all levels, cleared once.
-constexpr std::int64_t kRowsPerPiece = 512;
+constexpr std::int64_t kStencilRowsPerPiece = 512;
 /// Pieces a thread: enough to level out rows of different cost, few enough for the marker arrays.
 constexpr std::int64_t kPiecesPerThread = 4;
 
@@ -18,7 +18,7 @@ constexpr std::int64_t kPiecesPerThread = 4;
 template <class Body>
 void forPieces(std::int64_t rows, const Body& body) {
   const std::int64_t pieces = kPiecesPerThread * Parallel::threadCount();
-  Parallel::forRange(0, rows, std::max(kRowsPerPiece, rows / pieces), body);
+  Parallel::forRange(0, rows, std::max(kStencilRowsPerPiece, rows / pieces), body);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "far/base/bytes.h"
 #include "far/base/index.h"
 #include "far/base/parallel.h"
 #include "far/tables/stencil_chain.h"
@@ -15,11 +16,6 @@ namespace honeycomb::Far {
 namespace {
 
 constexpr std::int64_t kMostEntries = std::numeric_limits<std::int32_t>::max();
-
-template <class T>
-std::int64_t bytes(const std::vector<T>& v) {
-  return static_cast<std::int64_t>(v.size() * sizeof(T));
-}
 
 std::vector<float> rounded(const std::vector<double>& values) {
   std::vector<float> single(values.size());

@@ -178,12 +178,12 @@ TEST_F(ConvertTest, OptionsOfOtherTargetsAreRefused) {
 TEST_F(ConvertTest, JsonSummaryHasItsFields) {
   const Outcome outcome = run(arguments(file("cube.obj", cubeObj()), "bricks", {"--rows", "3", "--json"}));
   ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
-  const auto json = nlohmann::json::parse(outcome.out);
-  EXPECT_EQ(json.at("to"), "bricks");
-  EXPECT_EQ(json.at("vertices"), 24);
-  EXPECT_EQ(json.at("faces"), 14);
-  EXPECT_EQ(json.at("dropped_vertices"), 0);
-  EXPECT_EQ(json.at("output"), path("out.obj"));
+  const auto summary = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(summary.at("to"), "bricks");
+  EXPECT_EQ(summary.at("vertices"), 24);
+  EXPECT_EQ(summary.at("faces"), 14);
+  EXPECT_EQ(summary.at("dropped_vertices"), 0);
+  EXPECT_EQ(summary.at("output"), path("out.obj"));
 }
 
 TEST_F(ConvertTest, RowsCarryAnyPrimvar) {

@@ -62,12 +62,12 @@ TEST_P(GoldenConversion, IsTheSameMesh) {
   EXPECT_EQ(topology.boundaryEdgeCount(), std::stoi(GetParam().boundaryEdges));
 }
 
-std::string testName(const testing::TestParamInfo<ManifestLine>& info) {
+std::string conversionName(const testing::TestParamInfo<ManifestLine>& info) {
   const GoldenMeshName name = splitGoldenName(info.param.file);
   return name.folder + "_" + name.shape;
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, GoldenConversion, testing::ValuesIn(goldenConversions()), testName);
+INSTANTIATE_TEST_SUITE_P(Shapes, GoldenConversion, testing::ValuesIn(goldenConversions()), conversionName);
 
 TEST(Conversions, HaveGoldenMeshesOfAllShapes) {
   EXPECT_EQ(goldenConversions().size(), 4U * 8U);

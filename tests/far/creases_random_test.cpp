@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int32_t kLevels = 3;
 
-struct Case {
+struct CreasedCase {
   RandomMesh random;
   Far::Topology control;
   std::vector<Far::Scheme> chain;
@@ -37,8 +37,8 @@ Far::Topology randomlyCreased(const RandomMesh& random, Random& choice, const st
 }
 
 /// A creased random mesh and a chain of one of the schemes on the zip split.
-Case randomCase(std::uint64_t seed) {
-  Case c{randomMesh(seed), {}, {}};
+CreasedCase randomCase(std::uint64_t seed) {
+  CreasedCase c{randomMesh(seed), {}, {}};
   Random choice(seed + 1000);
   c.control = randomlyCreased(c.random, choice, {0.5, 1, 1.25, 2, 2.5, 3, Far::kSharp});
   if (choice.chance(0.5)) {
@@ -56,7 +56,7 @@ template <class Check>
 void forRandomCases(std::uint64_t seeds, const Check& check) {
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const Case c = randomCase(seed);
+    const CreasedCase c = randomCase(seed);
     const Result<Far::Refinement> refinement = Far::refine(c.control, c.chain, {});
     ASSERT_TRUE(refinement.has_value()) << refinement.error().message;
     check(*refinement, c);
@@ -88,7 +88,7 @@ void expectSound(const Far::Topology& topology) {
 }
 
 TEST(RandomCreases, EveryLevelIsASoundManifold) {
-  forRandomCases(50, [](const Far::Refinement& refinement, const Case&) {
+  forRandomCases(50, [](const Far::Refinement& refinement, const CreasedCase&) {
     for (std::int32_t k = 1; k <= kLevels; ++k) {
       const Far::Topology& topology = refinement.level(k).topology;
       ASSERT_NO_FATAL_FAILURE(expectSound(topology)) << "level " << k;
@@ -100,7 +100,7 @@ TEST(RandomCreases, EveryLevelIsASoundManifold) {
 }
 
 TEST(RandomCreases, RowsAddUpToOne) {
-  forRandomCases(40, [](const Far::Refinement& refinement, const Case&) {
+  forRandomCases(40, [](const Far::Refinement& refinement, const CreasedCase&) {
     for (std::int32_t k = 1; k <= kLevels; ++k) {
       for (const StencilRow& row : expandRows(refinement.level(k).table)) {
         double sum = 0;
@@ -115,7 +115,7 @@ TEST(RandomCreases, RowsAddUpToOne) {
 }
 
 TEST(RandomCreases, SidesKeepTheSamePoints) {
-  forRandomCases(40, [](const Far::Refinement& refinement, const Case& c) {
+  forRandomCases(40, [](const Far::Refinement& refinement, const CreasedCase& c) {
     for (std::int32_t k = 1; k <= kLevels; ++k) {
       const auto points = levelPoints<float>(refinement, k, c.random.mesh.points);
       ASSERT_EQ(sidesDiffer(refinement.level(k), points), "") << "level " << k;
@@ -125,7 +125,7 @@ TEST(RandomCreases, SidesKeepTheSamePoints) {
 
 TEST(RandomCreases, OnceAllAreClosedTheCountsAreThoseWithoutCreases) {
   int closed = 0;
-  forRandomCases(40, [&closed](const Far::Refinement& refinement, const Case& c) {
+  forRandomCases(40, [&closed](const Far::Refinement& refinement, const CreasedCase& c) {
     const Far::Topology smooth = toTopology(c.random.mesh, c.random.cornerTags);
     const auto without = Far::predict(smooth, c.chain);
     const auto with = Far::predict(c.control, c.chain);
@@ -145,7 +145,7 @@ TEST(RandomCreases, OnceAllAreClosedTheCountsAreThoseWithoutCreases) {
 }
 
 TEST(RandomCreases, EvaluatorsGiveTheSameBits) {
-  forRandomCases(40, [](const Far::Refinement& refinement, const Case& c) {
+  forRandomCases(40, [](const Far::Refinement& refinement, const CreasedCase& c) {
     const std::vector<float> in = pack<float>(c.random.mesh.points);
     std::vector<float> serial(3 * static_cast<std::size_t>(refinement.last().pointCount()));
     std::vector<float> threads(serial.size());
@@ -159,7 +159,7 @@ TEST(RandomCreases, EvaluatorsGiveTheSameBits) {
 }
 
 TEST(RandomCreases, LimitsOfCutLevelsAreThoseOfABoundary) {
-  forRandomCases(40, [](const Far::Refinement&, const Case& c) {
+  forRandomCases(40, [](const Far::Refinement&, const CreasedCase& c) {
     const std::vector<Far::Scheme> chain(c.chain.begin(), c.chain.begin() + 2);
     const Result<Far::Refinement> refinement = Far::refine(c.control, chain, {.limits = true, .memoryLimit = 0});
     ASSERT_TRUE(refinement.has_value()) << refinement.error().message;

@@ -23,7 +23,7 @@ using Numbers = std::vector<double>;
 const std::vector<std::string> kSchemes{"akleman",          "akleman-eq16", "akleman-drop",    "zhang-wang",
                                         "zhang-wang-brick", "halfbox",      "halfbox-trisect", "halfbox-tuned-all",
                                         "doo-sabin",        "midpoint",     "trisect",         "centroid"};
-constexpr std::int32_t kLevels = 3;
+constexpr std::int32_t kChannelLevels = 3;
 
 /// A mesh with a value for each corner.
 struct Channel {
@@ -39,14 +39,14 @@ struct Channel {
   }
 };
 
-Far::Refinement refinedBy(const std::string& scheme, const PolyMesh& mesh, std::int32_t levels = kLevels) {
+Far::Refinement refinedBy(const std::string& scheme, const PolyMesh& mesh, std::int32_t levels = kChannelLevels) {
   const Far::Topology control = toTopology(mesh);
   auto refinement = Far::refine(control, goldenChain(scheme, control, levels));
   if (!refinement) throw std::runtime_error(refinement.error().message);
   return std::move(*refinement);
 }
 
-FaceVarying built(const Far::Refinement& refinement, const Channel& channel) {
+FaceVarying builtVarying(const Far::Refinement& refinement, const Channel& channel) {
   auto result = FaceVarying::build(refinement, {channel.length, channel.values, channel.corners});
   if (!result) throw std::runtime_error(result.error().message);
   return std::move(*result);
@@ -97,7 +97,7 @@ Numbers inVertexOrder(const Channel& channel) {
 }
 
 /// n x m quads round a cylinder, open at both ends; u goes once round it, with a seam where column `seam` begins.
-Channel cylinder(std::size_t n, std::size_t m, std::size_t seam = 0) {
+Channel mappedCylinder(std::size_t n, std::size_t m, std::size_t seam = 0) {
   Channel channel;
   for (std::size_t j = 0; j <= m; ++j) {
     for (std::size_t i = 0; i < n; ++i) {
@@ -146,7 +146,7 @@ TEST_P(FaceVaryingBy, WithoutSeamsGivesTheBitsOfAVertexPrimvar) {
   for (const PolyMesh& mesh : {torus(4, 5), dodecahedron(), grid(4, 5), tetrahedron()}) {
     const Channel channel = withVertexValues(mesh);
     const Far::Refinement refinement = refinedBy(GetParam(), mesh);
-    const FaceVarying varying = built(refinement, channel);
+    const FaceVarying varying = builtVarying(refinement, channel);
     const Numbers values = levelValues(varying, channel).back();
     Numbers vertexValues = inVertexOrder(channel);
     for (std::int32_t k = 1; k <= refinement.levelCount(); ++k) {
@@ -163,7 +163,7 @@ TEST_P(FaceVaryingBy, WithoutSeamsGivesTheBitsOfAVertexPrimvar) {
 TEST_P(FaceVaryingBy, EveryRowSumsToOne) {
   for (const std::int32_t length : {2, 3}) {
     const Channel channel = separateCharts(cube(), length);
-    const FaceVarying varying = built(refinedBy(GetParam(), channel.mesh), channel);
+    const FaceVarying varying = builtVarying(refinedBy(GetParam(), channel.mesh), channel);
     EXPECT_TRUE(varying.hasSeams());
     for (std::int32_t k = 1; k <= varying.levelCount(); ++k) {
       for (const StencilRow& row : expandRows(varying.level(k).table)) {
@@ -195,7 +195,7 @@ Numbers ownValue(const StencilRow& row, const Far::Topology& parent, std::int32_
 void expectFacesRefineAlone(const std::string& scheme, const PolyMesh& mesh, std::int32_t levels) {
   const Channel channel = separateCharts(mesh, 2);
   const Far::Refinement refinement = refinedBy(scheme, mesh, levels);
-  const FaceVarying varying = built(refinement, channel);
+  const FaceVarying varying = builtVarying(refinement, channel);
   const std::vector<Numbers> values = levelValues(varying, channel);
   std::size_t checked = 0;
   for (std::int32_t k = 1; k <= refinement.levelCount(); ++k) {
@@ -219,7 +219,7 @@ void expectFacesRefineAlone(const std::string& scheme, const PolyMesh& mesh, std
 }
 
 TEST_P(FaceVaryingBy, FacesRefineFromTheirOwnCorners) {
-  expectFacesRefineAlone(GetParam(), prism(5), kLevels);
+  expectFacesRefineAlone(GetParam(), prism(5), kChannelLevels);
 }
 
 TEST(FaceVarying, FacesOfManySidesRefineFromTheirOwnCorners) {
@@ -231,16 +231,16 @@ TEST(FaceVarying, EqualValuesOfNeighbouringCornersAreNoSeam) {
   for (const Loop& loop : channel.mesh.faces) {
     for (const std::size_t v : loop) channel.add({static_cast<double>(v), 1});
   }
-  EXPECT_FALSE(built(refinedBy("akleman", channel.mesh, 1), channel).hasSeams());
+  EXPECT_FALSE(builtVarying(refinedBy("akleman", channel.mesh, 1), channel).hasSeams());
   channel.values[7] = 2;
-  EXPECT_TRUE(built(refinedBy("akleman", channel.mesh, 1), channel).hasSeams());
+  EXPECT_TRUE(builtVarying(refinedBy("akleman", channel.mesh, 1), channel).hasSeams());
 }
 
 /// No cell smears the texture: u of neighbouring cells differs by whole turns only, and no cell is wider than it ought.
 TEST_P(FaceVaryingBy, SeamOfACylinderIsContinuedAcross) {
-  const Channel channel = cylinder(8, 4);
+  const Channel channel = mappedCylinder(8, 4);
   const Far::Refinement refinement = refinedBy(GetParam(), channel.mesh);
-  const FaceVarying varying = built(refinement, channel);
+  const FaceVarying varying = builtVarying(refinement, channel);
   const std::vector<Numbers> values = levelValues(varying, channel);
   for (std::int32_t k = 1; k <= refinement.levelCount(); ++k) {
     const Far::Topology& topology = refinement.level(k).topology;
@@ -274,7 +274,7 @@ TEST_P(FaceVaryingBy, CellsOnASeamContinueTheChartOfTheirFirstFace) {
     }
   }
   const Far::Refinement refinement = refinedBy(GetParam(), channel.mesh);
-  const FaceVarying varying = built(refinement, channel);
+  const FaceVarying varying = builtVarying(refinement, channel);
   ASSERT_TRUE(varying.hasSeams());
   const std::vector<Numbers> values = levelValues(varying, channel);
   for (std::int32_t k = 1; k <= refinement.levelCount(); ++k) {
@@ -301,7 +301,7 @@ TEST_P(FaceVaryingBy, ColoursOfFacesStayWithinTheirCells) {
     for (std::size_t i = 0; i < 4; ++i) channel.add({static_cast<double>(f), static_cast<double>(f % 2), 1});
   }
   const Far::Refinement refinement = refinedBy(GetParam(), channel.mesh);
-  const FaceVarying varying = built(refinement, channel);
+  const FaceVarying varying = builtVarying(refinement, channel);
   const Numbers values = levelValues(varying, channel).back();
   const Far::Topology& topology = refinement.last().topology;
   for (std::int32_t h = 0; h < topology.halfEdgeCount(); ++h) {
@@ -316,7 +316,7 @@ TEST_P(FaceVaryingBy, ColoursOfFacesStayWithinTheirCells) {
 /// seam of a cylinder is, on a crease that stays or beside it, cells are as wide; on one that grows together or beside
 /// it no cell is smeared.
 TEST(FaceVarying, SeamsBesideAndOnCreasesAreContinued) {
-  const Channel reference = cylinder(8, 4, 2);
+  const Channel reference = mappedCylinder(8, 4, 2);
   Far::Polygons polygons = toPolygons(reference.mesh);
   for (const std::int32_t row : {0, 8, 16, 24}) {
     polygons.creases.push_back({row, row + 8, 1.5});
@@ -324,11 +324,11 @@ TEST(FaceVarying, SeamsBesideAndOnCreasesAreContinued) {
   }
   const auto control = Far::Topology::create(polygons);
   ASSERT_TRUE(control) << control.error().message;
-  const auto refinement = Far::refine(*control, goldenChain("akleman", *control, kLevels));
+  const auto refinement = Far::refine(*control, goldenChain("akleman", *control, kChannelLevels));
   ASSERT_TRUE(refinement) << refinement.error().message;
   const Far::Topology& topology = refinement->last().topology;
   const auto widths = [&](const Channel& channel) {
-    const FaceVarying varying = built(*refinement, channel);
+    const FaceVarying varying = builtVarying(*refinement, channel);
     const Numbers values = levelValues(varying, channel).back();
     Numbers result;
     for (std::int32_t h = 0; h < topology.halfEdgeCount(); ++h) {
@@ -340,11 +340,11 @@ TEST(FaceVarying, SeamsBesideAndOnCreasesAreContinued) {
   const Numbers expected = widths(reference);
   EXPECT_LT(*std::max_element(expected.begin(), expected.end()), 0.2);
   for (const std::size_t seam : {3, 4, 5}) {
-    const Numbers found = widths(cylinder(8, 4, seam));
+    const Numbers found = widths(mappedCylinder(8, 4, seam));
     for (std::size_t h = 0; h < found.size(); ++h) ASSERT_NEAR(found[h], expected[h], 1e-12) << "seam " << seam;
   }
   for (const std::size_t seam : {0, 1, 7}) {
-    for (const double width : widths(cylinder(8, 4, seam))) ASSERT_LT(std::abs(width), 0.2) << "seam " << seam;
+    for (const double width : widths(mappedCylinder(8, 4, seam))) ASSERT_LT(std::abs(width), 0.2) << "seam " << seam;
   }
 }
 
@@ -352,7 +352,7 @@ TEST(FaceVarying, ChartsWithoutAreaAreNotContinued) {
   Channel channel = separateCharts(cube(), 2);
   std::fill(channel.values.begin(), channel.values.begin() + 8, 0.25);  // all corners of face 0
   for (std::size_t i = 8; i < 16; i += 2) channel.values[i + 1] = 3;    // face 1 is a line
-  const FaceVarying varying = built(refinedBy("akleman", channel.mesh), channel);
+  const FaceVarying varying = builtVarying(refinedBy("akleman", channel.mesh), channel);
   const Numbers values = levelValues(varying, channel).back();
   for (const double x : values) {
     EXPECT_GE(x, -2);

@@ -14,8 +14,8 @@ namespace honeycomb::Test {
 namespace {
 
 /// A level of the half-box scheme on a clamped boundary with its limits.
-struct Step {
-  Step(const PolyMesh& mesh, std::int32_t steps, Far::HalfBoxCorners corners)
+struct ClampedStep {
+  ClampedStep(const PolyMesh& mesh, std::int32_t steps, Far::HalfBoxCorners corners)
       : refinement(refine(mesh, steps, corners)), points(levelPoints<double>(refinement, steps + 1, mesh.points)) {}
 
   static Far::Refinement refine(const PolyMesh& mesh, std::int32_t steps, Far::HalfBoxCorners corners) {
@@ -42,7 +42,7 @@ PolyMesh withRandomHeights(PolyMesh mesh) {
   return mesh;
 }
 
-std::vector<PolyMesh> meshes() {
+std::vector<PolyMesh> clampedMeshes() {
   std::vector<PolyMesh> all;
   for (const PolyMesh& mesh : honeycombPatches()) all.push_back(withRandomHeights(mesh));
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) all.push_back(randomThreeValent(seed));
@@ -60,8 +60,8 @@ bool hasTangentPlane(const Far::FaceRun& run, Far::HalfBoxCorners corners) {
 class ClampedLimits : public testing::TestWithParam<Far::HalfBoxCorners> {};
 
 TEST_P(ClampedLimits, OfFacesStayUnderRefinement) {
-  for (const PolyMesh& mesh : meshes()) {
-    const Step before(mesh, 1, GetParam()), after(mesh, 2, GetParam());
+  for (const PolyMesh& mesh : clampedMeshes()) {
+    const ClampedStep before(mesh, 1, GetParam()), after(mesh, 2, GetParam());
     const Limits limits = faceLimits<double>(before.refinement, before.points);
     const Limits later = faceLimits<double>(after.refinement, after.points);
     for (std::int32_t f = 0; f < after.topology().faceCount(); ++f) {
@@ -75,8 +75,8 @@ TEST_P(ClampedLimits, OfFacesStayUnderRefinement) {
 }
 
 TEST_P(ClampedLimits, OfVerticesInsideStayUnderRefinement) {
-  for (const PolyMesh& mesh : meshes()) {
-    const Step before(mesh, 1, GetParam()), after(mesh, 2, GetParam());
+  for (const PolyMesh& mesh : clampedMeshes()) {
+    const ClampedStep before(mesh, 1, GetParam()), after(mesh, 2, GetParam());
     const Limits limits = vertexLimits<double>(before.refinement, before.points);
     const Limits later = vertexLimits<double>(after.refinement, after.points);
     // New places of vertices follow the corner points of whole faces.
@@ -96,8 +96,8 @@ TEST_P(ClampedLimits, OfVerticesInsideStayUnderRefinement) {
 /// R_f and L_g stand for the points at 1/3 and 2/3 of the curve from one face to the next, a gap for its middle: in
 /// half of it, those of the points that the next step puts there.
 TEST_P(ClampedLimits, OfTheBoundaryLieOnItsCurve) {
-  for (const PolyMesh& mesh : meshes()) {
-    const Step before(mesh, 1, GetParam()), after(mesh, 2, GetParam());
+  for (const PolyMesh& mesh : clampedMeshes()) {
+    const ClampedStep before(mesh, 1, GetParam()), after(mesh, 2, GetParam());
     const Limits vertices = vertexLimits<double>(before.refinement, before.points);
     const Limits later = vertexLimits<double>(after.refinement, after.points);
     for (std::int32_t v = 0; v < before.topology().vertexCount(); ++v) {
@@ -120,7 +120,7 @@ TEST_P(ClampedLimits, OfTheBoundaryLieOnItsCurve) {
 }
 
 /// The largest angle in degrees between the normal at a boundary face and those in the middle of the patches round it.
-double largestAngle(const Step& step, Far::HalfBoxCorners corners) {
+double largestAngle(const ClampedStep& step, Far::HalfBoxCorners corners) {
   const Limits faces = faceLimits<double>(step.refinement, step.points);
   const Limits vertices = vertexLimits<double>(step.refinement, step.points);
   const Far::Topology& topology = step.topology();
@@ -148,10 +148,11 @@ bool hasConcaveCorner(const Far::Topology& topology) {
 TEST_P(ClampedLimits, AreWhereTheNormalsOfPatchesGo) {
   for (const PolyMesh& flat : honeycombPatches()) {
     const PolyMesh mesh = withRandomHeights(flat);
-    double angle = largestAngle(Step(mesh, 2, GetParam()), GetParam());
-    if (GetParam() == Far::HalfBoxCorners::convex && hasConcaveCorner(Step(mesh, 1, GetParam()).topology())) continue;
+    double angle = largestAngle(ClampedStep(mesh, 2, GetParam()), GetParam());
+    if (GetParam() == Far::HalfBoxCorners::convex && hasConcaveCorner(ClampedStep(mesh, 1, GetParam()).topology()))
+      continue;
     for (std::int32_t steps = 3; steps <= 4; ++steps) {
-      const double next = largestAngle(Step(mesh, steps, GetParam()), GetParam());
+      const double next = largestAngle(ClampedStep(mesh, steps, GetParam()), GetParam());
       EXPECT_LT(next, 0.7 * angle) << "after " << steps << " steps";
       angle = next;
     }
@@ -162,7 +163,7 @@ TEST_P(ClampedLimits, HaveUpwardNormalsOnAWavyHoneycomb) {
   for (const PolyMesh& flat : honeycombPatches()) {
     PolyMesh mesh = flat;
     for (Vec3& p : mesh.points) p[2] = 0.2 * std::sin(p[0] + 2 * p[1]);
-    const Step step(mesh, 1, GetParam());
+    const ClampedStep step(mesh, 1, GetParam());
     for (const Limits& limits :
          {faceLimits<double>(step.refinement, step.points), vertexLimits<double>(step.refinement, step.points)}) {
       for (const Vec3& normal : limits.normals) {

@@ -12,13 +12,13 @@
 namespace honeycomb::Test {
 namespace {
 
-const std::vector<Far::Barycentric> kPlaces{
+const std::vector<Far::Barycentric> kSamplePlaces{
     {1.0 / 3, 1.0 / 3, 1.0 / 3}, {1, 0, 0}, {0, 0, 1}, {0.02, 0.93, 0.05}, {0.25, 0.5, 0.25}};
 
 std::vector<Far::PatchSample> everywhere(const Far::PatchTable& table) {
   std::vector<Far::PatchSample> samples;
   for (std::int32_t p = 0; p < table.patchCount(); ++p) {
-    for (const Far::Barycentric& u : kPlaces) samples.push_back({p, u});
+    for (const Far::Barycentric& u : kSamplePlaces) samples.push_back({p, u});
   }
   return samples;
 }
@@ -203,8 +203,8 @@ TEST(PatchStencilErrors, NameTheSampleAndTheLimit) {
 }
 
 TEST(LargeFaces, AreEvaluatedInLinearTimeAndCountedBeforeTheirStencils) {
-  constexpr std::size_t kSides = 40000;
-  const PatchSurface surface(prism(kSides));
+  constexpr std::size_t kManySides = 40000;
+  const PatchSurface surface(prism(kManySides));
   const std::array<std::int32_t, 3> sides = surface.table.patch(7).sides();
   Far::Barycentric inLargeFace{};
   inLargeFace[static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin())] = 1;

@@ -21,8 +21,6 @@
 namespace honeycomb::Test {
 namespace {
 
-constexpr std::uint64_t kMeshes = meshes(12);
-
 /// The chain of a listed scheme on a random mesh; where the scheme refuses vertices with two edges and there are some,
 /// behind a step of honeycomb subdivision, which a chain may start with.
 std::vector<Far::Scheme> chainOn(const ListedScheme& scheme, const Far::Topology& control, std::int32_t levels) {
@@ -41,7 +39,7 @@ Far::Refinement refine(const Far::Topology& control, const std::vector<Far::Sche
 template <class Body>
 void onRandomMeshes(std::int32_t levels, bool limits, const Body& body) {
   for (const ListedScheme& scheme : listedSchemes()) {
-    for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+    for (std::uint64_t seed = 0; seed < meshes(12); ++seed) {
       SCOPED_TRACE(scheme.name + ", seed " + std::to_string(seed));
       const RandomMesh random = randomMesh(seed);
       const Far::Topology control = toTopology(random.mesh);
@@ -81,7 +79,7 @@ TEST(Schemes, MakeManifoldsOfTheSameEulerCharacteristicAndKeepClosedMeshesClosed
 
 TEST(Schemes, ArePredictedExactlyOnClosedMeshesAndBoundedOnOpenOnes) {
   for (const ListedScheme& scheme : listedSchemes()) {
-    for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+    for (std::uint64_t seed = 0; seed < meshes(12); ++seed) {
       SCOPED_TRACE(scheme.name + ", seed " + std::to_string(seed));
       const Far::Topology control = toTopology(randomMesh(seed).mesh);
       const std::vector<Far::Scheme> chain = chainOn(scheme, control, 3);
@@ -120,7 +118,7 @@ std::vector<std::int32_t> faceFaces(const Far::Topology& parent, const Far::Topo
 
 TEST(Schemes, KeepLimitsOfFacesWhereTheyAre) {
   for (const ListedScheme& scheme : listedSchemes()) {
-    for (std::uint64_t seed = 0; seed < kMeshes; seed += 2) {  // closed: at a border faces change their shape
+    for (std::uint64_t seed = 0; seed < meshes(12); seed += 2) {  // closed: at a border faces change their shape
       SCOPED_TRACE(scheme.name + ", seed " + std::to_string(seed));
       const RandomMesh random = randomMesh(seed);
       const Far::Topology control = toTopology(random.mesh);

@@ -10,14 +10,12 @@
 namespace honeycomb::Test {
 namespace {
 
-constexpr std::uint64_t kMeshes = meshes(200);
-
 /// Calls check(refinement, random mesh) for random meshes under every boundary rule, two levels each.
 template <class Check>
 void forRandomMeshes(const Check& check) {
   for (const auto boundary : {ReferenceBoundary::brick, ReferenceBoundary::eq16, ReferenceBoundary::drop}) {
     const SchemeCase scheme = schemeCase(NamedTension::paper, boundary);
-    for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+    for (std::uint64_t seed = 0; seed < meshes(200); ++seed) {
       SCOPED_TRACE(scheme.name + ", seed " + std::to_string(seed));
       const RandomMesh random = randomMesh(seed);
       const auto reference = referenceLevel(random.mesh, {}, scheme.reference, 1);

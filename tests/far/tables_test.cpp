@@ -10,12 +10,10 @@
 namespace honeycomb::Test {
 namespace {
 
-constexpr std::uint64_t kMeshes = meshes(100);
-
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
 TEST(IndexBuffers, LinesNameEveryEdgeOnce) {
-  for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+  for (std::uint64_t seed = 0; seed < meshes(100); ++seed) {
     const Far::Refinement refinement = refined(randomMesh(seed), schemeCase(NamedTension::paper).scheme, 2);
     for (std::int32_t k = 0; k <= 2; ++k) {
       const Far::Topology& t = refinement.level(k).topology;
@@ -31,7 +29,7 @@ TEST(IndexBuffers, LinesNameEveryEdgeOnce) {
 }
 
 TEST(IndexBuffers, TrianglesFanOutFromEveryFacesFirstCorner) {
-  for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+  for (std::uint64_t seed = 0; seed < meshes(100); ++seed) {
     const Far::Refinement refinement = refined(randomMesh(seed), schemeCase(NamedTension::paper).scheme, 2);
     for (std::int32_t k = 0; k <= 2; ++k) {
       const PolyMesh mesh = toMesh(refinement.level(k).topology, {});
@@ -84,7 +82,7 @@ void checkVertexOrigins(const Far::Refinement& refinement, std::int32_t k) {
 TEST(Origins, LeadEveryFaceAndVertexBackToTheControlMesh) {
   for (const auto boundary : {ReferenceBoundary::brick, ReferenceBoundary::eq16}) {
     const SchemeCase scheme = schemeCase(NamedTension::paper, boundary);
-    for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+    for (std::uint64_t seed = 0; seed < meshes(100); ++seed) {
       SCOPED_TRACE(scheme.name + ", seed " + std::to_string(seed));
       const Far::Refinement refinement = refined(randomMesh(seed), scheme.scheme, 3);
       const Far::Topology& control = refinement.level(0).topology;
@@ -129,7 +127,7 @@ void checkPrediction(const Far::LevelCounts& counts, const Far::Level& level, bo
 TEST(Prediction, GivesTheCountsOfTheBuiltLevelsOrBoundsThem) {
   for (const auto boundary : {ReferenceBoundary::brick, ReferenceBoundary::eq16, ReferenceBoundary::drop}) {
     const SchemeCase scheme = schemeCase(NamedTension::paper, boundary);
-    for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+    for (std::uint64_t seed = 0; seed < meshes(100); ++seed) {
       SCOPED_TRACE(scheme.name + ", seed " + std::to_string(seed));
       const RandomMesh random = randomMesh(seed);
       if (referenceLevel(random.mesh, {}, scheme.reference, 1).mesh.faces.empty()) continue;

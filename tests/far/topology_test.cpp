@@ -11,8 +11,6 @@
 namespace honeycomb::Test {
 namespace {
 
-constexpr std::uint64_t kMeshes = meshes(200);
-
 void checkHalfEdges(const Far::Topology& t) {
   for (std::int32_t h = 0; h < t.halfEdgeCount(); ++h) {
     ASSERT_EQ(t.next(t.prev(h)), h);
@@ -118,7 +116,7 @@ TEST(RandomMeshes, AreManifoldAndVaried) {
   std::set<std::int64_t> characteristics;
   std::size_t valenceTwo = 0;
   std::size_t tags = 0;
-  for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+  for (std::uint64_t seed = 0; seed < meshes(200); ++seed) {
     const RandomMesh random = randomMesh(seed);
     std::string why;
     ASSERT_TRUE(isManifold(random.mesh.faces, &why)) << "seed " << seed << ": " << why;
@@ -143,7 +141,7 @@ TEST(RandomMeshes, AreManifoldAndVaried) {
 }
 
 TEST(Topology, KeepsTheCallersLoopsSortedStablyBySides) {
-  for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+  for (std::uint64_t seed = 0; seed < meshes(200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const RandomMesh random = randomMesh(seed);
     const Far::Topology t = toTopology(random.mesh, random.cornerTags);
@@ -162,7 +160,7 @@ TEST(Topology, KeepsTheCallersLoopsSortedStablyBySides) {
 }
 
 TEST(Topology, HoldsItsInvariantsAtLevelZero) {
-  for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+  for (std::uint64_t seed = 0; seed < meshes(200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const RandomMesh random = randomMesh(seed);
     ASSERT_NO_FATAL_FAILURE(checkTopology(toTopology(random.mesh, random.cornerTags)));
@@ -172,7 +170,7 @@ TEST(Topology, HoldsItsInvariantsAtLevelZero) {
 TEST(Topology, HoldsItsInvariantsAtEveryLevelUnderEveryBoundaryRule) {
   for (const auto boundary : {ReferenceBoundary::brick, ReferenceBoundary::eq16, ReferenceBoundary::drop}) {
     const SchemeCase scheme = schemeCase(NamedTension::paper, boundary);
-    for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+    for (std::uint64_t seed = 0; seed < meshes(200); ++seed) {
       SCOPED_TRACE(scheme.name + ", seed " + std::to_string(seed));
       const RandomMesh random = randomMesh(seed);
       const auto reference = referenceLevel(random.mesh, {}, scheme.reference, 1);
@@ -187,7 +185,7 @@ TEST(Topology, HoldsItsInvariantsAtEveryLevelUnderEveryBoundaryRule) {
 }
 
 TEST(Topology, NumbersCornerPointsLikeTheirHalfEdges) {
-  for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+  for (std::uint64_t seed = 0; seed < meshes(200); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Far::Refinement refinement = refined(randomMesh(seed), schemeCase(NamedTension::paper).scheme, 1);
     const Far::Topology& control = refinement.level(0).topology;

@@ -10,7 +10,7 @@
 namespace honeycomb::Io::Test {
 namespace {
 
-std::string refusal(const std::filesystem::path& path) {
+std::string mapRefusal(const std::filesystem::path& path) {
   const Result<MappedFile> file = MappedFile::open(path);
   if (!file) {
     EXPECT_EQ(file.error().code, ErrorCode::unreadable);
@@ -53,10 +53,10 @@ TEST(MappedFile, ReleasedBytesStayReadable) {
 
 TEST(MappedFile, RefusesWhatIsNoFile) {
   const TemporaryFolder folder;
-  EXPECT_EQ(refusal(folder.path()), folder.path().string() + ": cannot be read: Is a directory; name a file");
-  EXPECT_EQ(refusal("/dev/zero"), "/dev/zero: is neither a file nor a pipe; name a file");
-  EXPECT_EQ(refusal(""), ": cannot be read: No such file or directory; check the path");
-  EXPECT_EQ(refusal("/dev/null/a"), "/dev/null/a: cannot be read: Not a directory; check the path");
+  EXPECT_EQ(mapRefusal(folder.path()), folder.path().string() + ": cannot be read: Is a directory; name a file");
+  EXPECT_EQ(mapRefusal("/dev/zero"), "/dev/zero: is neither a file nor a pipe; name a file");
+  EXPECT_EQ(mapRefusal(""), ": cannot be read: No such file or directory; check the path");
+  EXPECT_EQ(mapRefusal("/dev/null/a"), "/dev/null/a: cannot be read: Not a directory; check the path");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ const std::vector<std::int32_t> kOffsets{0, 3};
 const std::vector<std::int32_t> kCorners{0, 1, 2};
 const std::vector<float> kPositions{0, 0.1F, -0.0F, 1e10F, 1, 0, 0, 1, 1e-10F};
 
-Error refusal(const ObjContent<float>& content) {
+Error writeRefusal(const ObjContent<float>& content) {
   const TemporaryFolder folder;
   const Result<void> written = writeObj<float>(folder / "a.obj", content);
   EXPECT_EQ(folder.entries(), 0) << "a refused mesh left a file";
@@ -70,7 +70,7 @@ TEST(ObjWriter, CornersNameTextureCoordinatesAndNormals) {
 TEST(ObjWriter, RefusesNanAndInfinityBeforeWriting) {
   std::vector<float> positions = kPositions;
   positions[4] = NAN;
-  const Error error = refusal({positions, {}, kOffsets, kCorners});
+  const Error error = writeRefusal({positions, {}, kOffsets, kCorners});
   EXPECT_EQ(error.code, ErrorCode::invalidPositions);
   EXPECT_EQ(error.element, 1);
   EXPECT_EQ(error.message.substr(error.message.rfind("a.obj")),
@@ -78,22 +78,22 @@ TEST(ObjWriter, RefusesNanAndInfinityBeforeWriting) {
             "or compute in double precision");
   std::vector<float> normals(9, 1.0F);
   normals[8] = INFINITY;
-  EXPECT_EQ(refusal({kPositions, normals, kOffsets, kCorners}).element, 2);
-  EXPECT_EQ(refusal({kPositions, {}, kOffsets, kCorners, normals}).element, 2);
+  EXPECT_EQ(writeRefusal({kPositions, normals, kOffsets, kCorners}).element, 2);
+  EXPECT_EQ(writeRefusal({kPositions, {}, kOffsets, kCorners, normals}).element, 2);
   const std::vector<float> texcoords{0, 0, 0, NAN};
-  EXPECT_EQ(refusal({kPositions, {}, kOffsets, kCorners, {}, texcoords, kCorners}).code, ErrorCode::invalidMesh);
+  EXPECT_EQ(writeRefusal({kPositions, {}, kOffsets, kCorners, {}, texcoords, kCorners}).code, ErrorCode::invalidMesh);
   const std::vector<std::int32_t> named{0, 0, 1};
-  EXPECT_EQ(refusal({kPositions, {}, kOffsets, kCorners, {}, texcoords, named}).element, 1);
+  EXPECT_EQ(writeRefusal({kPositions, {}, kOffsets, kCorners, {}, texcoords, named}).element, 1);
 }
 
 TEST(ObjWriter, RefusesCornersWithoutVertex) {
   const std::vector<std::int32_t> corners{0, 1, 3};
-  const Error error = refusal({kPositions, {}, kOffsets, corners});
+  const Error error = writeRefusal({kPositions, {}, kOffsets, corners});
   EXPECT_EQ(error.code, ErrorCode::invalidMesh);
   EXPECT_EQ(error.message, "face 0 names vertex 3 of 3; correct the index");
   EXPECT_EQ(error.element, 0);
   const std::vector<float> texcoords{0, 0, 1, 1};
-  EXPECT_EQ(refusal({kPositions, {}, kOffsets, kCorners, {}, texcoords, kCorners}).message,
+  EXPECT_EQ(writeRefusal({kPositions, {}, kOffsets, kCorners, {}, texcoords, kCorners}).message,
             "face 0 names texture coordinate 2 of 2; correct the index");
 }
 
@@ -101,13 +101,13 @@ TEST(ObjWriter, RefusesArraysThatDoNotFitTogether) {
   const std::vector<float> normals(6, 1.0F);
   const std::vector<std::int32_t> descending{0, 3, 2, 3};
   const std::vector<std::int32_t> tooFew{0, 2};
-  EXPECT_EQ(refusal({std::span(kPositions).first(8), {}, kOffsets, kCorners}).code, ErrorCode::invalidOption);
-  EXPECT_EQ(refusal({kPositions, normals, kOffsets, kCorners}).code, ErrorCode::invalidOption);
-  EXPECT_EQ(refusal({kPositions, {}, {}, kCorners}).code, ErrorCode::invalidOption);
-  EXPECT_EQ(refusal({kPositions, {}, kOffsets, kCorners, normals}).code, ErrorCode::invalidOption);
-  EXPECT_EQ(refusal({kPositions, {}, kOffsets, kCorners, {}, normals, tooFew}).code, ErrorCode::invalidOption);
-  EXPECT_EQ(refusal({kPositions, {}, descending, kCorners}).code, ErrorCode::invalidOption);
-  EXPECT_EQ(refusal({kPositions, {}, tooFew, kCorners}).code, ErrorCode::invalidOption);
+  EXPECT_EQ(writeRefusal({std::span(kPositions).first(8), {}, kOffsets, kCorners}).code, ErrorCode::invalidOption);
+  EXPECT_EQ(writeRefusal({kPositions, normals, kOffsets, kCorners}).code, ErrorCode::invalidOption);
+  EXPECT_EQ(writeRefusal({kPositions, {}, {}, kCorners}).code, ErrorCode::invalidOption);
+  EXPECT_EQ(writeRefusal({kPositions, {}, kOffsets, kCorners, normals}).code, ErrorCode::invalidOption);
+  EXPECT_EQ(writeRefusal({kPositions, {}, kOffsets, kCorners, {}, normals, tooFew}).code, ErrorCode::invalidOption);
+  EXPECT_EQ(writeRefusal({kPositions, {}, descending, kCorners}).code, ErrorCode::invalidOption);
+  EXPECT_EQ(writeRefusal({kPositions, {}, tooFew, kCorners}).code, ErrorCode::invalidOption);
 }
 
 TEST(ObjWriter, FullDiskLeavesNoFile) {

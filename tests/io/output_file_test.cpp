@@ -30,7 +30,7 @@ void writeWhole(const fs::path& path, std::string_view text) {
   ASSERT_TRUE(committed) << committed.error().message;
 }
 
-std::string refusal(const fs::path& path) {
+std::string openRefusal(const fs::path& path) {
   const Result<OutputFile> file = OutputFile::create(path);
   if (!file) {
     EXPECT_EQ(file.error().code, ErrorCode::unwritable);
@@ -116,7 +116,7 @@ TEST(OutputFile, TakesNamesAsLongAsTheSystemDoes) {
   writeWhole(folder / longest, "x");
   EXPECT_EQ(readBytes(folder / longest), "x");
   const std::string path = (folder / (longest + "n")).string();
-  EXPECT_EQ(refusal(path), path + ": cannot be written: File name too long; check the path");
+  EXPECT_EQ(openRefusal(path), path + ": cannot be written: File name too long; check the path");
 }
 
 TEST(OutputFile, TakesNamesInTheCurrentFolder) {
@@ -187,19 +187,19 @@ TEST(OutputFile, NothingCanBeWrittenAfterCommit) {
 TEST(OutputFile, RefusesFolders) {
   const TemporaryFolder folder;
   const std::string path = folder.path().string();
-  EXPECT_EQ(refusal(path), path + ": cannot be written: Is a directory; name a file");
-  EXPECT_EQ(refusal(path + "/new/"), path + "/new/: cannot be written: Is a directory; name a file");
+  EXPECT_EQ(openRefusal(path), path + ": cannot be written: Is a directory; name a file");
+  EXPECT_EQ(openRefusal(path + "/new/"), path + "/new/: cannot be written: Is a directory; name a file");
 }
 
 TEST(OutputFile, RefusesPathsThatLeadNowhere) {
   const TemporaryFolder folder;
   const std::string missing = (folder / "no/a").string();
-  EXPECT_EQ(refusal(missing), missing + ": cannot be written: No such file or directory; check the path");
+  EXPECT_EQ(openRefusal(missing), missing + ": cannot be written: No such file or directory; check the path");
   fs::create_symlink("loop", folder / "loop");
   const std::string loop = (folder / "loop").string();
-  EXPECT_EQ(refusal(loop), loop + ": cannot be written: Too many levels of symbolic links; check the path");
-  EXPECT_EQ(refusal("/dev/null/a"), "/dev/null/a: cannot be written: Not a directory; check the path");
-  EXPECT_EQ(refusal(""), ": cannot be written: No such file or directory; check the path");
+  EXPECT_EQ(openRefusal(loop), loop + ": cannot be written: Too many levels of symbolic links; check the path");
+  EXPECT_EQ(openRefusal("/dev/null/a"), "/dev/null/a: cannot be written: Not a directory; check the path");
+  EXPECT_EQ(openRefusal(""), ": cannot be written: No such file or directory; check the path");
 }
 
 TEST(OutputFile, RefusesProtectedFilesAndFolders) {
@@ -212,8 +212,8 @@ TEST(OutputFile, RefusesProtectedFilesAndFolders) {
   const std::string inside = (folder / "closed/a").string();
   {
     const Unprivileged guard;
-    EXPECT_EQ(refusal(file), file + ": cannot be written: Permission denied; check the permissions");
-    EXPECT_EQ(refusal(inside), inside + ": cannot be written: Permission denied; check the permissions");
+    EXPECT_EQ(openRefusal(file), file + ": cannot be written: Permission denied; check the permissions");
+    EXPECT_EQ(openRefusal(inside), inside + ": cannot be written: Permission denied; check the permissions");
   }
   EXPECT_EQ(readBytes(file), "before");
 }

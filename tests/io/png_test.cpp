@@ -28,7 +28,7 @@ Picture readPng(const std::filesystem::path& path) {
   return picture;
 }
 
-std::string refusal(std::int32_t width, std::int32_t height, std::size_t bytes) {
+std::string pictureRefusal(std::int32_t width, std::int32_t height, std::size_t bytes) {
   const Result<void> written = writePng("a.png", width, height, std::vector<std::uint8_t>(bytes));
   if (written) return "written";
   EXPECT_EQ(written.error().code, ErrorCode::invalidOption);
@@ -49,10 +49,11 @@ TEST(Png, PixelsComeBackUnchanged) {
 }
 
 TEST(Png, RefusesSizesThatCannotBe) {
-  EXPECT_EQ(refusal(0, 7, 0), "a.png: a picture of 0 x 7 pixels cannot be; give sides of 1 to 32768");
-  EXPECT_EQ(refusal(7, -1, 0), "a.png: a picture of 7 x -1 pixels cannot be; give sides of 1 to 32768");
-  EXPECT_EQ(refusal(32769, 1, 131076), "a.png: a picture of 32769 x 1 pixels cannot be; give sides of 1 to 32768");
-  EXPECT_EQ(refusal(2, 2, 15), "a.png: a picture of 2 x 2 pixels needs 16 bytes, not 15; give RGBA");
+  EXPECT_EQ(pictureRefusal(0, 7, 0), "a.png: a picture of 0 x 7 pixels cannot be; give sides of 1 to 32768");
+  EXPECT_EQ(pictureRefusal(7, -1, 0), "a.png: a picture of 7 x -1 pixels cannot be; give sides of 1 to 32768");
+  EXPECT_EQ(pictureRefusal(32769, 1, 131076),
+            "a.png: a picture of 32769 x 1 pixels cannot be; give sides of 1 to 32768");
+  EXPECT_EQ(pictureRefusal(2, 2, 15), "a.png: a picture of 2 x 2 pixels needs 16 bytes, not 15; give RGBA");
 }
 
 TEST(Png, FullDiskIsAnError) {

@@ -12,14 +12,14 @@ namespace {
 using std::numbers::pi;
 
 /// Where each directed edge a -> b stands: its face and the place of a in its loop.
-struct Edges {
+struct ClampedEdges {
   struct Place {
     std::size_t face, corner;
   };
   std::map<std::pair<std::size_t, std::size_t>, Place> of;
   std::set<std::size_t> boundary;
 
-  explicit Edges(const PolyMesh& mesh) {
+  explicit ClampedEdges(const PolyMesh& mesh) {
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
       const Loop& loop = mesh.faces[f];
       for (std::size_t i = 0; i < loop.size(); ++i) of[{loop[i], loop[(i + 1) % loop.size()]}] = {f, i};
@@ -76,7 +76,7 @@ class Clamp {
   /// The point beside edge a -> b in its face: R at the edge into a row of inside vertices, L at the edge out of it.
   std::size_t beside(std::size_t a, std::size_t b) {
     if (beside_.contains({a, b})) return beside_[{a, b}];
-    const Edges::Place place = edges_.of.at({a, b});
+    const ClampedEdges::Place place = edges_.of.at({a, b});
     const Loop& loop = old_.faces[place.face];
     const std::size_t n = loop.size();
     const Vec3 sum = 2.0 * (old_.points[a] + old_.points[b]) + old_.points[loop[(place.corner + n - 1) % n]] +
@@ -109,15 +109,15 @@ class Clamp {
   }
 
   const PolyMesh& old_;
-  Edges edges_;
+  ClampedEdges edges_;
   ClampedMesh result_;
   std::map<std::size_t, std::size_t> kept_;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> beside_;
 };
 
-class Step {
+class ClampedStep {
  public:
-  Step(const ClampedMesh& mesh, bool smooth)
+  ClampedStep(const ClampedMesh& mesh, bool smooth)
       : old_(mesh),
         smooth_(smooth),
         edges_(mesh.mesh),
@@ -163,7 +163,7 @@ class Step {
   }
   /// The new corner of the face of edge a -> b at a.
   std::size_t cornerAt(std::size_t a, std::size_t b) const {
-    const Edges::Place place = edges_.of.at({a, b});
+    const ClampedEdges::Place place = edges_.of.at({a, b});
     return corner_[place.face][place.corner];
   }
 
@@ -250,8 +250,8 @@ class Step {
 
   void addHexagon(std::size_t a, std::size_t b) {
     if (a > b || !edges_.inside(a) || !edges_.inside(b)) return;
-    const Edges::Place here = edges_.of.at({a, b}), there = edges_.of.at({b, a});
-    const auto corner = [&](const Edges::Place& place, std::size_t next) {
+    const ClampedEdges::Place here = edges_.of.at({a, b}), there = edges_.of.at({b, a});
+    const auto corner = [&](const ClampedEdges::Place& place, std::size_t next) {
       return corner_[place.face][(place.corner + next) % corner_[place.face].size()];
     };
     addFaceOf('I', {vertex_[a], corner(there, 1), corner(there, 0), vertex_[b], corner(here, 1), corner(here, 0)});
@@ -263,7 +263,7 @@ class Step {
     const Vec3 jointF = named(f).joint, jointG = named(g).joint;
     const std::size_t lm = newPoint(0.25 * (jointF + 2.0 * point(right) + point(left)));
     const std::size_t rm = newPoint(0.25 * (point(right) + 2.0 * point(left) + jointG));
-    const Edges::Place intoF = edges_.of.at({right, v});
+    const ClampedEdges::Place intoF = edges_.of.at({right, v});
     const std::size_t qf = corner_[f][(intoF.corner + 1) % corner_[f].size()];
     const std::size_t qg = cornerAt(v, left);
     addFaceOf('B', {lm, rm, qg, vertex_[v], qf});
@@ -273,7 +273,7 @@ class Step {
 
   const ClampedMesh& old_;
   bool smooth_;
-  Edges edges_;
+  ClampedEdges edges_;
   std::vector<Loop> neighbours_;
   std::vector<std::size_t> gaps_;                      ///< at each vertex
   std::map<std::size_t, std::size_t> after_, before_;  ///< along the boundary
@@ -289,7 +289,7 @@ ClampedMesh referenceClamp(const PolyMesh& mesh) {
 }
 
 ClampedMesh referenceClampedStep(const ClampedMesh& mesh, bool smooth) {
-  return Step(mesh, smooth).run();
+  return ClampedStep(mesh, smooth).run();
 }
 
 }  // namespace honeycomb::Test

@@ -7,11 +7,11 @@
 namespace honeycomb::Test {
 namespace {
 
-using Edge = std::pair<std::size_t, std::size_t>;
+using EdgeEnds = std::pair<std::size_t, std::size_t>;
 
 /// Directed edge -> the corner before it and the corner after it are found through its face.
-std::map<Edge, std::size_t> edgesOf(const std::vector<Loop>& faces) {
-  std::map<Edge, std::size_t> edges;
+std::map<EdgeEnds, std::size_t> edgesOf(const std::vector<Loop>& faces) {
+  std::map<EdgeEnds, std::size_t> edges;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const Loop& loop = faces[f];
     for (std::size_t i = 0; i < loop.size(); ++i) edges.insert({{loop[i], loop[(i + 1) % loop.size()]}, f});
@@ -66,7 +66,7 @@ bool isManifold(const std::vector<Loop>& faces, std::string* why) {
 
 std::int64_t eulerCharacteristic(const std::vector<Loop>& faces) {
   std::set<std::size_t> vertices;
-  std::set<Edge> edges;
+  std::set<EdgeEnds> edges;
   for (const Loop& loop : faces) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       vertices.insert(loop[i]);

@@ -20,9 +20,9 @@ Vec3 mix(double wa, const Vec3& a, double wb, const Vec3& b) {
 /// edge, 'o'/'d' the points of a cut next to its ends, 'c' a fixed corner, 'b' the new point of a boundary vertex.
 using PointKey = std::tuple<char, std::size_t, std::size_t>;
 
-class Step {
+class ZipStep {
  public:
-  Step(const ReferenceMesh& from, const ReferenceOptions& options) : from_(from), options_(options) {
+  ZipStep(const ReferenceMesh& from, const ReferenceOptions& options) : from_(from), options_(options) {
     const std::vector<Loop>& faces = from.mesh.faces;
     for (std::size_t f = 0; f < faces.size(); ++f) {
       for (std::size_t i = 0; i < faces[f].size(); ++i)
@@ -318,7 +318,7 @@ ReferenceMesh referenceStart(const PolyMesh& mesh, const std::vector<std::size_t
 }
 
 ReferenceMesh referenceZip(const ReferenceMesh& from, const ReferenceOptions& options) {
-  return Step(from, options).run();
+  return ZipStep(from, options).run();
 }
 
 }  // namespace honeycomb::Test

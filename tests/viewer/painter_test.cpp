@@ -10,7 +10,7 @@
 namespace honeycomb::ViewerTests {
 namespace {
 
-constexpr Viewer::RendererOptions kSize{120, 90};
+constexpr Viewer::RendererOptions kPainterSize{120, 90};
 
 class PainterTest : public VulkanTests::VulkanTest {
  protected:
@@ -34,7 +34,7 @@ class PainterTest : public VulkanTests::VulkanTest {
     Osd::SerialEvaluator evaluator;
     EXPECT_TRUE(evaluator.evaluate<float>(refinement, refinement.levelCount(), {cube.points, {}}, {points, {}}));
     EXPECT_TRUE(evaluator.vertexLimits<float>(refinement.limits(), {points, {}}, {}, {normals, {}}));
-    auto renderer = Viewer::Renderer::create(context->device(), kSize).value();
+    auto renderer = Viewer::Renderer::create(context->device(), kPainterSize).value();
     const std::vector<std::uint32_t> colours = Viewer::cellColours(refinement, refinement.levelCount());
     const auto mesh =
         renderer.upload({topology.vertexCount(), topology.faceOffsets(), topology.vert(), colours}).value();
@@ -48,7 +48,7 @@ class PainterTest : public VulkanTests::VulkanTest {
 
 TEST_F(PainterTest, DrawsFromTheComputeBuffersWhatTheCpuComputes) {
   const Far::Refinement refinement = refined(3);
-  auto painter = Viewer::SurfacePainter::create(context->device(), refinement, kSize);
+  auto painter = Viewer::SurfacePainter::create(context->device(), refinement, kPainterSize);
   ASSERT_TRUE(painter) << painter.error().message;
   // Another pose before shows that each picture is of the last.
   const std::vector<float> flat(cube.points.size(), 0);
@@ -61,7 +61,7 @@ TEST_F(PainterTest, DrawsFromTheComputeBuffersWhatTheCpuComputes) {
 }
 
 TEST_F(PainterTest, CageIsLargerThanItsSurface) {
-  auto painter = Viewer::SurfacePainter::create(context->device(), refined(2), kSize);
+  auto painter = Viewer::SurfacePainter::create(context->device(), refined(2), kPainterSize);
   ASSERT_TRUE(painter) << painter.error().message;
   ASSERT_TRUE(painter->pose(cube.points));
   Viewer::View view = viewOf(cube.points);
@@ -85,7 +85,7 @@ TEST_F(PainterTest, CageIsLargerThanItsSurface) {
 }
 
 TEST_F(PainterTest, RefusesFramesOfAnotherMesh) {
-  auto painter = Viewer::SurfacePainter::create(context->device(), refined(1), kSize);
+  auto painter = Viewer::SurfacePainter::create(context->device(), refined(1), kPainterSize);
   ASSERT_TRUE(painter) << painter.error().message;
   const auto posed = painter->pose(std::vector<float>(21, 0));
   ASSERT_FALSE(posed);
