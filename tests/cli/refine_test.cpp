@@ -54,7 +54,7 @@ TEST_F(RefineTest, FirstLevelOfTheCubeHasThePapersWeights) {
 }
 
 TEST_F(RefineTest, SerialSimdAndTbbGiveTheSameFile) {
-  const std::vector<std::pair<std::string, std::string>> meshes{{file("torus.obj", torusObj(24)), "4"},
+  const std::vector<std::pair<std::string, std::string>> meshes{{file("torus.obj", torusObj(12)), "4"},
                                                                 {file("grid.obj", gridObj(9)), "4"}};
   for (const auto& [in, levels] : meshes)
     for (const std::string precision : {"single", "double"}) {
@@ -114,12 +114,12 @@ TEST_F(RefineTest, TaggedCornersStay) {
 TEST_F(RefineTest, JsonSummaryNamesWhatWasDone) {
   const Outcome outcome = run({"refine", file("cube.obj", cubeObj()), path("out.obj"), "--levels", "3", "--json"});
   EXPECT_EQ(outcome.err, "");
-  const auto json = nlohmann::json::parse(outcome.out);
-  EXPECT_EQ(json.at("levels"), 3);
-  EXPECT_EQ(json.at("backend"), "tbb");
-  EXPECT_EQ(json.at("vertices"), 216);
-  EXPECT_EQ(json.at("faces"), 110);
-  EXPECT_GT(json.at("build_ms"), 0);
+  const auto summary = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(summary.at("levels"), 3);
+  EXPECT_EQ(summary.at("backend"), "tbb");
+  EXPECT_EQ(summary.at("vertices"), 216);
+  EXPECT_EQ(summary.at("faces"), 110);
+  EXPECT_GT(summary.at("build_ms"), 0);
 }
 
 }  // namespace
