@@ -1,13 +1,20 @@
 #include "apps/cli/control_mesh.h"
 
 #include "apps/cli/memory.h"
+#include "far/topology/spatial_order.h"
 
 namespace honeycomb::Cli {
 
-Result<ControlMesh> prepareControl(MeshInput input, const SchemeOptions& options, const ChainRequest& request) {
+Result<ControlMesh> prepareControl(MeshInput input, const SchemeOptions& options, const ChainRequest& request,
+                                   Far::FaceOrder order) {
   if (keepsCorners(options)) tagCorners(input.mesh.polygons);
-  Result<Far::Topology> topology = makeTopology(input);
+  Result<Far::Topology> topology = makeTopology(input, order);
   if (!topology) return tl::unexpected(topology.error());
+  if (order == Far::FaceOrder::spatial) {
+    renumberVertices(input, Far::spatialVertexOrder(*topology));
+    topology = makeTopology(input, order);
+    if (!topology) return tl::unexpected(topology.error());
+  }
   Result<SchemeChain> chain = makeChain(request, options, *topology, availableMemory());
   if (chain) return ControlMesh{std::move(input), std::move(*topology), std::move(*chain)};
   // Options are wrong whatever the mesh, unless an element of it is named.

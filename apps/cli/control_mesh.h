@@ -13,8 +13,9 @@ struct ControlMesh {
   SchemeChain chain;
 };
 
-/// Makes the connectivity and the steps for a mesh that was read. Errors: invalidMesh, naming line, face or vertex;
-/// those of makeChain.
-Result<ControlMesh> prepareControl(MeshInput input, const SchemeOptions& options, const ChainRequest& request);
+/// Makes the connectivity, its faces (and with `spatial` the vertices) in that order, and the steps for a mesh that was
+/// read. Errors: invalidMesh, naming line, face or vertex; those of makeChain.
+Result<ControlMesh> prepareControl(MeshInput input, const SchemeOptions& options, const ChainRequest& request,
+                                   Far::FaceOrder order = Far::FaceOrder::input);
 
 }  // namespace honeycomb::Cli

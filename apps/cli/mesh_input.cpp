@@ -17,11 +17,14 @@ std::vector<std::int32_t> cornersPerVertex(const Far::Polygons& polygons) {
   return count;
 }
 
-/// Moves the values of the vertices that are kept to the front; three a vertex.
-void keepOnly(const std::vector<std::int32_t>& kept, std::vector<double>& values) {
-  if (values.empty()) return;
-  for (std::size_t k = 0; k < kept.size(); ++k) std::copy_n(&values[3 * at(kept[k])], 3, &values[3 * k]);
-  values.resize(3 * kept.size());
+/// `width` numbers for each vertex of `order`.
+template <class Number>
+std::vector<Number> gathered(const std::vector<Number>& values, const std::vector<std::int32_t>& order,
+                             std::size_t width) {
+  if (values.empty()) return {};
+  std::vector<Number> result(width * order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) std::copy_n(&values[width * at(order[k])], width, &result[width * k]);
+  return result;
 }
 
 /// Removes the vertices of no face, but those that a crease names, by mistake; the others keep their order.
@@ -31,24 +34,11 @@ void dropIsolated(MeshInput& input) {
   for (const Far::Crease& crease : mesh.polygons.creases)
     mentions[at(crease.vertex0)] = mentions[at(crease.vertex1)] = 1;
   if (std::find(mentions.begin(), mentions.end(), 0) == mentions.end()) return;
-  std::vector<std::int32_t> renumbered(mentions.size(), -1);
+  std::vector<std::int32_t> mentioned;
   for (std::int32_t v = 0; v < input.fileVertices; ++v) {
-    if (mentions[at(v)] == 0) continue;
-    const std::size_t k = input.kept.size();
-    renumbered[at(v)] = static_cast<std::int32_t>(k);
-    mesh.vertexLines[k] = mesh.vertexLines[at(v)];
-    input.kept.push_back(v);
+    if (mentions[at(v)] != 0) mentioned.push_back(v);
   }
-  for (std::int32_t& v : mesh.polygons.indices) v = renumbered[at(v)];
-  for (std::int32_t& v : mesh.polygons.corners) v = renumbered[at(v)];
-  for (Far::Crease& crease : mesh.polygons.creases) {
-    crease.vertex0 = renumbered[at(crease.vertex0)];
-    crease.vertex1 = renumbered[at(crease.vertex1)];
-  }
-  mesh.polygons.vertexCount = static_cast<std::int32_t>(input.kept.size());
-  keepOnly(input.kept, mesh.positions);
-  keepOnly(input.kept, mesh.colours);
-  mesh.vertexLines.resize(input.kept.size());
+  renumberVertices(input, mentioned);
 }
 
 /// The same defect in the numbers of the file, which start at 1.
@@ -112,12 +102,33 @@ Error summarize(const MeshInput& input, const std::vector<Far::Defect>& defects)
           first.line};
 }
 
-Result<Far::Topology> makeTopology(const MeshInput& input) {
-  Result<Far::Topology> topology = Far::Topology::create(input.mesh.polygons);
+Result<Far::Topology> makeTopology(const MeshInput& input, Far::FaceOrder order) {
+  Result<Far::Topology> topology = Far::Topology::create(input.mesh.polygons, order);
   if (topology) return topology;
   // Only the list has numbers that can be carried over to the file's.
   const std::vector<Far::Defect> defects = Far::findDefects(input.mesh.polygons);
   return tl::unexpected(defects.empty() ? inFile(input.file, topology.error()) : summarize(input, defects));
+}
+
+void renumberVertices(MeshInput& input, const std::vector<std::int32_t>& order) {
+  Io::ObjMesh& mesh = input.mesh;
+  std::vector<std::int32_t> renumbered(at(mesh.polygons.vertexCount), -1);
+  std::vector<std::int32_t> kept(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    renumbered[at(order[k])] = static_cast<std::int32_t>(k);
+    kept[k] = static_cast<std::int32_t>(input.fileVertex(order[k]));
+  }
+  input.kept = std::move(kept);
+  for (std::int32_t& v : mesh.polygons.indices) v = renumbered[at(v)];
+  for (std::int32_t& v : mesh.polygons.corners) v = renumbered[at(v)];
+  for (Far::Crease& crease : mesh.polygons.creases) {
+    crease.vertex0 = renumbered[at(crease.vertex0)];
+    crease.vertex1 = renumbered[at(crease.vertex1)];
+  }
+  mesh.polygons.vertexCount = static_cast<std::int32_t>(order.size());
+  mesh.positions = gathered(mesh.positions, order, 3);
+  mesh.colours = gathered(mesh.colours, order, 3);
+  mesh.vertexLines = gathered(mesh.vertexLines, order, 1);
 }
 
 Error inFile(const std::string& file, Error error) {

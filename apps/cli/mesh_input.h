@@ -11,7 +11,7 @@
 
 namespace honeycomb::Cli {
 
-/// A mesh as read from a file, perhaps without its isolated vertices.
+/// A mesh as read from a file, perhaps without its isolated vertices, perhaps with its vertices in another order.
 struct MeshInput {
   std::string file;  ///< as the user wrote it
   Io::ObjMesh mesh;
@@ -39,7 +39,10 @@ DefectReport report(const MeshInput& input, const Far::Defect& defect);
 
 /// The connectivity, validated. Errors: invalidMesh, naming line, face and vertex of the first defect and how many
 /// there are, and pointing to `honeycomb info`.
-Result<Far::Topology> makeTopology(const MeshInput& input);
+Result<Far::Topology> makeTopology(const MeshInput& input, Far::FaceOrder order = Far::FaceOrder::input);
+
+/// Numbers the vertices anew: vertex k is the one that was order[k]. Vertices that are left out must be in no face.
+void renumberVertices(MeshInput& input, const std::vector<std::int32_t>& order);
 
 /// The one line that stands for all the defects; `defects` isn't empty.
 Error summarize(const MeshInput& input, const std::vector<Far::Defect>& defects);

@@ -3,12 +3,22 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cmath>
 
 #include "apps/cli/choice.h"
 #include "far/base/index.h"
 
 namespace honeycomb::Cli {
+namespace {
+
+struct OrderName {
+  std::string_view name;
+  Far::FaceOrder order;
+};
+constexpr std::array kOrders{OrderName{"input", Far::FaceOrder::input}, OrderName{"spatial", Far::FaceOrder::spatial}};
+
+}  // namespace
 
 void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options) {
   subcommand
@@ -18,6 +28,12 @@ void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options) {
   options.scheme.addTo(subcommand);
   subcommand.add_option("--backend", options.backend, "What refines: " + names(backends()) + " (auto: tbb)")
       ->capture_default_str();
+  subcommand
+      .add_option("--order", options.order,
+                  "The order of control faces and vertices: " + names(kOrders) +
+                      " (neighbours near each other: faster where the file's order is random). The surface is the "
+                      "same, its points and faces come in another order")
+      ->capture_default_str();
   subcommand.add_flag("--drop-isolated", options.dropIsolated, "Leave out vertices that are in no face");
 }
 
@@ -26,13 +42,15 @@ Result<SurfacePlan> planSurface(const SurfaceOptions& options, int bytesPerNumbe
   if (!request) return tl::unexpected(request.error());
   const auto entry = choose(backends(), "--backend", options.backend);
   if (!entry) return tl::unexpected(entry.error());
+  const auto order = choose(kOrders, "--order", options.order);
+  if (!order) return tl::unexpected(order.error());
   if (bytesPerNumber == 8 && !(*entry)->doublePrecision)
     return fail(ErrorCode::invalidOption,
                 fmt::format("--precision double: the {} backend has single precision only; use serial or tbb",
                             options.backend));
   Result<MeshInput> input = readMesh(options.input, options.dropIsolated ? Isolated::drop : Isolated::keep);
   if (!input) return tl::unexpected(input.error());
-  Result<ControlMesh> mesh = prepareControl(std::move(*input), options.scheme, *request);
+  Result<ControlMesh> mesh = prepareControl(std::move(*input), options.scheme, *request, (*order)->order);
   if (!mesh) return tl::unexpected(mesh.error());
   Result<std::unique_ptr<Backend>> backend = (*entry)->open();
   if (!backend) return tl::unexpected(backend.error());

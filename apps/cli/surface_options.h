@@ -25,10 +25,11 @@ struct SurfaceOptions {
   std::optional<std::int32_t> levels;
   SchemeOptions scheme;
   std::string backend = "auto";
+  std::string order = "input";
   bool dropIsolated = false;
 };
 
-/// Adds --levels, the scheme's options, --backend and --drop-isolated.
+/// Adds --levels, the scheme's options, --backend, --order and --drop-isolated.
 void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options);
 
 /// An input, checked and opened: nothing that the tables need is missing, and nothing of them is built.

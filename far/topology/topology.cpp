@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "far/base/index.h"
 #include "far/base/parallel.h"
 #include "far/topology/crease_edges.h"
 #include "far/topology/edge_matching.h"
+#include "far/topology/spatial_order.h"
 
 namespace honeycomb::Far {
 
@@ -35,19 +37,28 @@ Error defectError(const std::vector<Defect>& defects) {
   return {ErrorCode::invalidMesh, std::move(message), first.face >= 0 ? first.face : first.vertex};
 }
 
+/// The caller's faces in the order asked for.
+std::vector<std::int32_t> orderedFaces(const Polygons& polygons, const Inspection& inspection, FaceOrder order) {
+  if (order == FaceOrder::spatial) return spatialFaceOrder(polygons, inspection);
+  std::vector<std::int32_t> faces(at(polygons.faceCount()));
+  std::iota(faces.begin(), faces.end(), 0);
+  return faces;
+}
+
 /// Faces sorted stably by side count; half-edges are then the corners in that order.
-TopologyArrays sortedFaces(const Polygons& polygons) {
-  const std::int64_t faceCount = polygons.faceCount();
-  std::vector<std::int32_t> sides(at(faceCount));
-  for (std::size_t f = 0; f < sides.size(); ++f) {
-    sides[f] = static_cast<std::int32_t>(polygons.faceOffsets[f + 1] - polygons.faceOffsets[f]);
+TopologyArrays sortedFaces(const Polygons& polygons, const std::vector<std::int32_t>& faces) {
+  std::vector<std::int32_t> sides(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const std::size_t f = at(faces[i]);
+    sides[i] = static_cast<std::int32_t>(polygons.faceOffsets[f + 1] - polygons.faceOffsets[f]);
   }
   TopologyArrays arrays;
   arrays.vertexCount = polygons.vertexCount;
   arrays.parents = Parallel::stableOrder(sides, *std::max_element(sides.begin(), sides.end()) + 1);
-  arrays.faceOffsets.resize(at(faceCount) + 1);
+  arrays.faceOffsets.resize(faces.size() + 1);
   for (std::size_t f = 0; f < sides.size(); ++f) {
     const std::int32_t n = sides[at(arrays.parents[f])];
+    arrays.parents[f] = faces[at(arrays.parents[f])];
     const std::int32_t first = arrays.faceOffsets[f];
     if (arrays.runs.empty() || arrays.runs.back().sides != n) {
       arrays.runs.push_back({FaceKind::full, FaceParent::face, n, static_cast<std::int32_t>(f), first, 0});
@@ -97,11 +108,11 @@ void tagBoundary(const Polygons& polygons, TopologyArrays& arrays) {
 
 }  // namespace
 
-Result<Topology> Topology::create(const Polygons& polygons) {
+Result<Topology> Topology::create(const Polygons& polygons, FaceOrder order) {
   if (auto shape = checkShape(polygons); !shape) return tl::unexpected(shape.error());
   const Inspection inspection = inspect(polygons);
   if (!inspection.defects.empty()) return tl::unexpected(defectError(inspection.defects));
-  TopologyArrays arrays = sortedFaces(polygons);
+  TopologyArrays arrays = sortedFaces(polygons, orderedFaces(polygons, inspection, order));
   copyLoops(polygons, inspection.edges, arrays);
   arrays.outgoing = outgoingCorners(arrays.vert, arrays.twin, arrays.vertexCount);
   tagBoundary(polygons, arrays);

@@ -80,10 +80,16 @@ struct TopologyArrays {
   std::vector<std::int32_t> heldCorners;  ///< with creases: the vertices that the caller tagged corners, ascending
 };
 
+/// The order of faces of one side count at level 0: the caller's, or one in which neighbours are near each other, so
+/// that evaluation finds in the cache what it needs, also where the caller's order is random. The surface is the same,
+/// its refined vertices and faces are numbered in another order.
+enum class FaceOrder : std::uint8_t { input, spatial };
+
 /// The connectivity of one level: half-edges stored as the concatenated loops of faces sorted into runs, so that a
 /// half-edge's id is its place, and `next` and `prev` need no storage. Immutable.
 ///
-/// Vertices keep the caller's numbers at level 0; faces are sorted stably by side count, inputFace() leads back.
+/// Vertices keep the caller's numbers at level 0; faces are sorted stably by side count, inputFace() leads back,
+/// whatever their order was before.
 class Topology {
  public:
   Topology() = default;
@@ -92,7 +98,7 @@ class Topology {
   /// Level 0 from polygons, fully validated. The error names the first defect and how many there are
   /// (findDefects lists them all); its element is the face, or the vertex of a bow-tie or isolated vertex.
   /// Linear in the number of corners, save a sort within the corners of each vertex.
-  static Result<Topology> create(const Polygons& polygons);
+  static Result<Topology> create(const Polygons& polygons, FaceOrder order = FaceOrder::input);
 
   std::int32_t vertexCount() const { return a_.vertexCount; }
   std::int32_t faceCount() const { return static_cast<std::int32_t>(a_.parents.size()); }

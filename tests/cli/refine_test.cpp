@@ -71,6 +71,32 @@ TEST_F(RefineTest, SerialSimdAndTbbGiveTheSameFile) {
     }
 }
 
+TEST_F(RefineTest, SpatialOrderGivesTheSamePointsAtOtherPlaces) {
+  const std::string in = file("torus.obj", torusObj(12));
+  const std::string inOrder = refine(in, {"--levels", "1"});
+  const auto expected = Io::readObj(path("out.obj"));
+  EXPECT_NE(refine(in, {"--levels", "1", "--order", "spatial"}), inOrder);
+  const auto found = Io::readObj(path("out.obj"));
+  ASSERT_TRUE(expected && found);
+  ASSERT_EQ(found->positions.size(), expected->positions.size());
+  EXPECT_EQ(found->polygons.faceCount(), expected->polygons.faceCount());
+  const auto near = [](std::span<const double> a, std::span<const double> b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < 1e-5;
+  };
+  for (std::int64_t v = 0; v < expected->polygons.vertexCount; ++v) {
+    std::int64_t partners = 0;
+    for (std::int64_t w = 0; w < found->polygons.vertexCount; ++w)
+      partners += near(expected->position(v), found->position(w)) ? 1 : 0;
+    ASSERT_EQ(partners, 1) << "vertex " << v;
+  }
+}
+
+TEST_F(RefineTest, OrdersThatDoNotExistAreRefused) {
+  const Outcome outcome = run({"refine", file("cube.obj", cubeObj()), path("out.obj"), "--order", "sorted"});
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_EQ(outcome.err, "error: --order: there is no 'sorted'; choose from: input, spatial\n");
+}
+
 TEST_F(RefineTest, ExactNormalsAreUnitAndOneAVertex) {
   refine(file("torus.obj", torusObj(12)), {"--normals", "exact"});
   const auto mesh = Io::readObj(path("out.obj"));

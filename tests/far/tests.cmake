@@ -25,6 +25,7 @@ set(honeycomb_far_tests
   patch_table_test.cpp
   reference_test.cpp
   schemes_test.cpp
+  spatial_order_test.cpp
   stencil_table_test.cpp
   stencil_test.cpp
   tables_test.cpp
