@@ -73,8 +73,8 @@ Result<void> checkPoints(const Points<Real>& source, std::int64_t sourceCount, c
 /// Can these points have normals, and is there room for so many?
 template <class Real>
 Result<void> checkNormals(const Points<Real>& points, const PointsOut<Real>& normals, std::int64_t count) {
-  if (points.desc.length != 3 || normals.desc.length != 3) {
-    return fail(ErrorCode::invalidOption, "normals are of positions: both have length 3");
+  if (points.desc.length < 3 || points.desc.length > kPiece || normals.desc.length != 3) {
+    return fail(ErrorCode::invalidOption, "normals (length 3) are of positions: points of length 3 or 4");
   }
   return checkDescriptor(normals.desc, static_cast<std::int64_t>(normals.data.size()), count, "normals");
 }

@@ -37,6 +37,8 @@ Result<void> NormalEvaluator::evaluate(const Far::Refinement& refinement, const 
   if (auto ok = checkNormals(control, normals, std::ssize(table.offsets) - 1); !ok) return ok;
   std::vector<Real> faceNormals(3 * at(table.faceNormals));
   const View<Real> born{faceNormals.data(), 3};
+  const std::int32_t length = control.desc.length;
+  const BufferDescriptor packed{0, length, length};
   std::vector<Real> points[2];
   Points<Real> source = control;
   for (std::int32_t k = 0; k < last; ++k) {
@@ -48,10 +50,10 @@ Result<void> NormalEvaluator::evaluate(const Far::Refinement& refinement, const 
     }
     const Far::LevelTable& step = refinement.level(k + 1).table;
     std::vector<Real>& next = points[k % 2];
-    if (k + 1 < last) next.resize(3 * at(step.targetCount));
-    const PointsOut<Real> target = k + 1 < last ? PointsOut<Real>{next, {}} : refined;
+    if (k + 1 < last) next.resize(at(length) * at(step.targetCount));
+    const PointsOut<Real> target = k + 1 < last ? PointsOut<Real>{next, packed} : refined;
     if (auto done = levels_.evaluate(step, source, target); !done) return done;
-    source = {next, {}};
+    source = {next, packed};
   }
   const View<Real> out = viewOf(normals);
   split(threads_, std::ssize(table.offsets) - 1, [&](std::int64_t begin, std::int64_t end) {

@@ -18,8 +18,8 @@ class NormalEvaluator {
   explicit NormalEvaluator(CpuEvaluator::Threads threads)
       : threads_(threads), levels_(threads, CpuEvaluator::Instructions::plain) {}
 
-  /// From the control points (length 3) to the points and unit normals (length 3) of level table.level; a zero vector
-  /// where there is no direction. Errors: buffers too small, lengths other than 3.
+  /// From the control points (length 3 or 4) to the points and unit normals (length 3) of level table.level; a zero
+  /// vector where there is no direction. Errors: buffers too small, other lengths.
   template <class Real>
   Result<void> evaluate(const Far::Refinement& refinement, const Far::NormalTable& table, const Points<Real>& control,
                         const PointsOut<Real>& refined, const PointsOut<Real>& normals);

@@ -5,6 +5,7 @@
 #include "bench/kit/building_steps.h"
 #include "far/tables/refinement.h"
 #include "far/tables/stencil_table.h"
+#include "far/tables/tile_table.h"
 
 namespace honeycomb::Bench {
 
@@ -52,6 +53,10 @@ Result<std::vector<BuildStep>> buildSteps(const Building& building) {
   steps.push_back(step("topology", vertices, topologyBytes, [building] { return outcome(refineTopology(building)); }));
   steps.push_back(step("tables", vertices, refinement->byteCount(),
                        [building] { return outcome(Far::refine(building.control, building.steps)); }));
+  if (const auto tiles = Far::buildTileTable(*refinement)) {
+    steps.push_back(step("tiles", vertices, tiles->byteCount(),
+                         [refinement] { return outcome(Far::buildTileTable(*refinement)); }));
+  }
   Far::StencilOptions options;
   options.memoryLimit = building.memory;
   if (const auto flat = Far::StencilTable::build(*refinement, options)) {

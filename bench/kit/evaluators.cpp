@@ -55,6 +55,8 @@ std::span<const EvaluatorEntry> evaluators() {
       EvaluatorEntry{"serial", Agreement::bits, Threads::one, prepareLevels<Osd::SerialEvaluator>},
       EvaluatorEntry{"simd", Agreement::bits, Threads::one, prepareLevels<Osd::SimdEvaluator>},
       EvaluatorEntry{"tbb", Agreement::bits, Threads::all, prepareLevels<Osd::TbbEvaluator>},
+      EvaluatorEntry{"simd-tiled", Agreement::bits, Threads::one, prepareSimdTiled},
+      EvaluatorEntry{"tbb-tiled", Agreement::bits, Threads::all, prepareTbbTiled},
       EvaluatorEntry{"csr", Agreement::rounding, Threads::all, prepareCsr},
 #ifdef HONEYCOMB_BENCH_VULKAN
       EvaluatorEntry{"vulkan", Agreement::bits, Threads::device, prepareVulkan},

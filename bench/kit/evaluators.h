@@ -12,6 +12,7 @@
 #include "far/tables/refinement.h"
 #include "far/tables/stencil_table.h"
 #include "osd/buffer_descriptor.h"
+#include "osd/cpu_evaluator.h"
 
 namespace honeycomb::Bench {
 
@@ -55,7 +56,7 @@ struct Problem {
   Normals normals = Normals::none;
   std::span<const float> control;
   std::span<float> refined;        ///< for all points of the last level
-  std::span<float> vertexNormals;  ///< x y z per vertex; empty without normals
+  std::span<float> vertexNormals;  ///< x y z per point of the last level; empty without normals
   double tablesMs = 0;             ///< what the refinement took to build
   FlatTable& flat;
 };
@@ -92,6 +93,10 @@ struct EvaluatorEntry {
 std::span<const EvaluatorEntry> evaluators();
 
 /// The functions behind the table that have a file of their own.
+Result<Prepared> prepareSimdTiled(const Problem& problem);
+Result<Prepared> prepareTbbTiled(const Problem& problem);
+/// Level after level, with fast normals.
+Result<Prepared> prepareFastNormals(const Problem& problem, Osd::CpuEvaluator::Threads threads);
 Result<Prepared> prepareCsr(const Problem& problem);
 Result<Prepared> prepareVulkan(const Problem& problem);
 Result<Prepared> prepareVulkanCsr(const Problem& problem);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 
 #include "bench/kit/evaluators.h"
 
@@ -16,7 +17,10 @@ inline std::int64_t levelTableBytes(const Far::Refinement& refinement) {
 /// Level after level by one of Osd's evaluators on the CPU; exact normals in a second pass.
 template <class Evaluator>
 Result<Prepared> prepareLevels(const Problem& problem) {
-  if (problem.normals == Normals::fast) return tl::unexpected(withoutNormals(problem).error());
+  if (problem.normals == Normals::fast) {
+    const bool alone = std::is_same_v<Evaluator, Osd::SerialEvaluator>;
+    return prepareFastNormals(problem, alone ? Osd::CpuEvaluator::Threads::one : Osd::CpuEvaluator::Threads::all);
+  }
   const auto evaluator = std::make_shared<Evaluator>();
   Prepared prepared;
   prepared.frame = [evaluator, problem]() -> Result<void> {

@@ -17,7 +17,7 @@ std::size_t refinedSize(const Task& task) {
   return sizeOf(task, task.refinement.last().table.targetCount);
 }
 std::size_t normalsSize(const Task& task) {
-  return task.normals == Normals::none ? 0 : 3 * at(task.refinement.last().topology.vertexCount());
+  return task.normals == Normals::none ? 0 : 3 * at(task.refinement.last().pointCount());
 }
 
 /// The points in single precision, in the task's layout.

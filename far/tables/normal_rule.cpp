@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "far/base/bytes.h"
 #include "far/base/index.h"
 #include "far/base/parallel.h"
 #include "far/tables/limit_table_builder.h"
@@ -98,9 +99,9 @@ std::vector<std::int32_t> NormalRule::around(std::int32_t vertex) const {
 }
 
 std::int64_t NormalTable::byteCount() const {
-  std::int64_t bytes = static_cast<std::int64_t>((offsets.size() + faces.size()) * sizeof(std::int32_t));
-  for (const LimitRows& rows : frames) bytes += rows.byteCount();
-  return bytes;
+  std::int64_t total = bytes(offsets) + bytes(faces);
+  for (const LimitRows& rows : frames) total += rows.byteCount();
+  return total;
 }
 
 Result<NormalTable> buildNormalTable(const Refinement& refinement, std::int32_t level) {

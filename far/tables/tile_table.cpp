@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "far/base/bytes.h"
 #include "far/base/index.h"
 #include "far/base/parallel.h"
 #include "far/base/pool.h"
@@ -230,7 +231,6 @@ Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions
 }
 
 std::int64_t TileTable::byteCount() const {
-  const auto bytes = [](const auto& v) { return static_cast<std::int64_t>(v.size() * sizeof(v[0])); };
   std::int64_t total = bytes(pointCount) + bytes(tiles) + bytes(steps) + bytes(stages) + bytes(imports) +
                        bytes(indices) + bytes(rows) + bytes(outputs) + bytes(written) + bytes(weights) +
                        bytes(weightsSingle);
@@ -240,7 +240,6 @@ std::int64_t TileTable::byteCount() const {
 }
 
 std::int64_t TileNormals::byteCount() const {
-  const auto bytes = [](const auto& v) { return static_cast<std::int64_t>(v.size() * sizeof(v[0])); };
   std::int64_t total = bytes(tiles) + bytes(imports) + bytes(frames) + bytes(indices) + bytes(firstFace) +
                        bytes(faces) + bytes(weights) + bytes(weightsSingle);
   for (const LimitRows& rows : shared) total += rows.byteCount();

@@ -1,0 +1,72 @@
+#include <memory>
+
+#include "bench/kit/evaluators.h"
+#include "bench/kit/level_evaluator.h"
+#include "bench/kit/stopwatch.h"
+#include "far/tables/normal_rule.h"
+#include "far/tables/tile_table.h"
+#include "osd/normal_evaluator.h"
+#include "osd/tile_evaluator.h"
+#include "osd/tile_size.h"
+
+namespace honeycomb::Bench {
+
+namespace {
+
+Result<Prepared> prepareTiles(const Problem& problem, Osd::CpuEvaluator::Threads threads) {
+  if (problem.normals == Normals::exact) return tl::unexpected(withoutNormals(problem).error());
+  const bool normals = problem.normals == Normals::fast;
+  const Stopwatch stopwatch;
+  Far::TileOptions options;
+  options.scratchPoints = Osd::tilePoints();
+  options.normals = normals;
+  Result<Far::TileTable> built = Far::buildTileTable(problem.refinement, options);
+  if (!built) return tl::unexpected(built.error());
+  Prepared prepared;
+  prepared.buildMs = problem.tablesMs + stopwatch.milliseconds();
+  const auto tiles = std::make_shared<const Far::TileTable>(std::move(*built));
+  const auto evaluator = std::make_shared<Osd::TileEvaluator>(Osd::TileEvaluatorOptions{threads});
+  prepared.frame = [evaluator, tiles, problem, normals] {
+    const Osd::BufferDescriptor& desc = problem.layout.desc;
+    Osd::TileRequest<float> request;
+    if (normals) request.normals = {problem.vertexNormals, {}};
+    return evaluator->evaluate<float>(problem.refinement, *tiles, tiles->lastLevel, {problem.control, desc},
+                                      {problem.refined, desc}, request);
+  };
+  prepared.refined = problem.refined;
+  prepared.normals = problem.vertexNormals;
+  prepared.tableBytes = tiles->byteCount();
+  prepared.vertices = problem.refinement.last().topology.vertexCount();
+  return prepared;
+}
+
+}  // namespace
+
+Result<Prepared> prepareSimdTiled(const Problem& problem) {
+  return prepareTiles(problem, Osd::CpuEvaluator::Threads::one);
+}
+
+Result<Prepared> prepareTbbTiled(const Problem& problem) {
+  return prepareTiles(problem, Osd::CpuEvaluator::Threads::all);
+}
+
+Result<Prepared> prepareFastNormals(const Problem& problem, Osd::CpuEvaluator::Threads threads) {
+  Result<Far::NormalTable> built = Far::buildNormalTable(problem.refinement, problem.refinement.levelCount());
+  if (!built) return tl::unexpected(built.error());
+  const auto table = std::make_shared<const Far::NormalTable>(std::move(*built));
+  const auto evaluator = std::make_shared<Osd::NormalEvaluator>(threads);
+  Prepared prepared;
+  prepared.frame = [evaluator, table, problem] {
+    const Osd::BufferDescriptor& desc = problem.layout.desc;
+    return evaluator->evaluate<float>(problem.refinement, *table, {problem.control, desc}, {problem.refined, desc},
+                                      {problem.vertexNormals, {}});
+  };
+  prepared.refined = problem.refined;
+  prepared.normals = problem.vertexNormals;
+  prepared.buildMs = problem.tablesMs;
+  prepared.tableBytes = levelTableBytes(problem.refinement) + table->byteCount();
+  prepared.vertices = problem.refinement.last().topology.vertexCount();
+  return prepared;
+}
+
+}  // namespace honeycomb::Bench

@@ -1,0 +1,20 @@
+#include "osd/tile_size.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace honeycomb::Osd {
+
+std::int32_t tilePoints() {
+  constexpr std::int64_t kPointBytes = 16;
+  constexpr std::int64_t kUnknown = 8192 * 2 * kPointBytes;
+  std::int64_t cache = 0;
+#ifdef _SC_LEVEL2_CACHE_SIZE
+  cache = sysconf(_SC_LEVEL2_CACHE_SIZE);
+#endif
+  if (cache <= 0) cache = kUnknown;
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(cache / 2 / kPointBytes, 4096, 32768));
+}
+
+}  // namespace honeycomb::Osd
