@@ -22,9 +22,10 @@ View<const Real> byTilePoint(const Real* own) {
   return {own, kTileStride / 2};
 }
 
-/// Numbers gathered before they go past the caches: what a quarter of a first-level cache holds.
-constexpr std::int64_t kStreamNumbers = 2048;
-constexpr std::int64_t kStreamRoom = kStreamNumbers + 16;
+/// Numbers gathered before they go past the caches: longer rows of whole lines suit the memory better.
+constexpr std::int64_t kStreamNumbers = 1024;
+/// Room for these, a begun line, and the outputs of the largest face or of a vector of smaller ones.
+constexpr std::int64_t kStreamRoom = kStreamNumbers + 16 + 4 * Far::kLargestCirculant + 16;
 
 /// What a tile is evaluated on.
 template <class Real>

@@ -118,24 +118,26 @@ class StreamSink {
 
   template <class D>
   HWY_INLINE void putRow(D d, const hn::Vec<D>* out, int n, std::int32_t output) {
-    makeRoom(target_ + output * kStride, kBlocks<D> * n * kStride);
+    makeRoom(target_ + output * kStride);
     storeInRow<Access::whole>(d, out, n, buffer_ + fill_, kStride);
     fill_ += kBlocks<D> * n * kStride;
   }
 
   template <int k = 0, class D>
   HWY_INLINE void putApart(D d, const hn::Vec<D>* out, int n, const std::int32_t* outputs) {
-    makeRoom(target_ + outputs[k] * kStride, n * kStride);
+    makeRoom(target_ + outputs[k] * kStride);
     HWY_UNROLL(8)
     for (int i = 0; i < n; ++i) storePoint<Access::whole>(blockOf<k>(d, out[i]), buffer_ + fill_ + i * kStride);
     fill_ += n * kStride;
     if constexpr (k + 1 < kBlocks<D>) putApart<k + 1>(d, out, n, outputs);
   }
 
-  /// Makes the buffer ready to take `numbers` that go to p.
-  HWY_INLINE void makeRoom(float* p, std::int64_t numbers) {
-    if (p == line_ + fill_ && fill_ + numbers <= Kernels::kStreamNumbers) return;
-    if (p == line_ + fill_) return sendLines();
+  /// Makes the buffer ready to take what goes to p.
+  HWY_INLINE void makeRoom(float* p) {
+    if (p == line_ + fill_) {
+      if (fill_ >= Kernels::kStreamNumbers) sendLines();
+      return;
+    }
     flush();
     begin_ = fill_ = static_cast<std::int64_t>(reinterpret_cast<std::uintptr_t>(p) / sizeof(float) % kLine);
     line_ = p - fill_;
