@@ -15,6 +15,10 @@ namespace {
 // Left to the program itself, its libraries and the page cache of the files it works on.
 constexpr std::int64_t kMargin = 128'000'000;
 
+// Bytes of a vertex in Far::NormalTable: its offset, four normals. Besides the table: the vertex's normal; those of
+// faces and the points of the levels before, which are as much again.
+constexpr std::int64_t kFastNormalRow = 4 + 4 * 4;
+
 std::string advice(std::int64_t level) {
   return level > 1 ? fmt::format("use --levels {} or less", level - 1) : "the mesh is too large to refine here";
 }
@@ -45,6 +49,7 @@ std::vector<LevelSize> predictSizes(const Far::Topology& control, const SchemeCh
     // An evaluator keeps the points of the two levels before the last.
     std::int64_t points = shape.framesAtOnce * (size.pointBytes + pointsBefore);
     if (limits) points += (counts[k].vertices + counts[k + 1].points) * pointSize;
+    if (shape.fastNormals) points += counts[k].points * (kFastNormalRow + 2 * pointSize);
     size.runBytes = build.tables + std::max(build.scratch, points);
     pointsBefore = size.pointBytes + (k == 0 ? 0 : sizes.back().pointBytes);
     sizes.push_back(std::move(size));

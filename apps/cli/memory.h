@@ -20,6 +20,7 @@ struct RunShape {
   int bytesPerNumber = 4;
   bool normals = false;
   bool centralPoints = false;  ///< the control faces have central control vertices of their own
+  bool fastNormals = false;
 };
 
 /// What a mesh of the chain takes.

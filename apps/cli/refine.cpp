@@ -7,6 +7,7 @@
 #include "apps/cli/central_points.h"
 #include "apps/cli/choice.h"
 #include "apps/cli/commands.h"
+#include "apps/cli/fast_normals.h"
 #include "apps/cli/formats.h"
 #include "apps/cli/interrupt.h"
 #include "apps/cli/json_text.h"
@@ -38,7 +39,8 @@ struct NormalsChoice {
   std::string_view name;
   Normals normals;
 };
-constexpr std::array kNormals{NormalsChoice{"none", Normals::none}, NormalsChoice{"exact", Normals::exact}};
+constexpr std::array kNormals{NormalsChoice{"none", Normals::none}, NormalsChoice{"exact", Normals::exact},
+                              NormalsChoice{"fast", Normals::fast}};
 
 struct Summary {
   double buildMs = 0, refineMs = 0, writeMs = 0;
@@ -108,12 +110,14 @@ template <class Real>
 Result<Refined<Real>> evaluate(const RefineJob& job, const Far::Refinement& refinement) {
   const Result<std::vector<Real>> control = controlPoints<Real>(job.plan.mesh.input, job.central);
   if (!control) return tl::unexpected(control.error());
-  const Normals byTables = job.command.pieces ? Normals::none : job.normals;
-  Result<std::unique_ptr<SurfaceEvaluator>> evaluator = job.plan.backend->evaluator(refinement, byTables);
+  const bool byTables = job.normals == Normals::exact && !job.command.pieces;
+  Result<std::unique_ptr<SurfaceEvaluator>> evaluator =
+      job.plan.backend->evaluator(refinement, byTables ? Normals::exact : Normals::none);
   if (!evaluator) return tl::unexpected(evaluator.error());
   Surface<Real> surface;
   Result<void> done = (*evaluator)->evaluate(std::span<const Real>(*control), surface);
   if (done) done = checkFinite<Real>(surface.vertices());
+  if (done && job.normals == Normals::fast) done = setFastNormals<Real>(refinement, *control, surface);
   if (!done) return tl::unexpected(inFile(job.plan.mesh.input.file, done.error()));
   if (job.command.pieces && job.normals == Normals::exact) setNormals(surface);
   auto primvars = refinePrimvars<Real>(job.plan.mesh.input, refinement, job.central.given, **evaluator);
@@ -169,6 +173,7 @@ Result<void> printSummary(const RefineJob& job, const Session& session, const Fa
 
 Result<Far::Refinement> build(const RefineJob& job) {
   RunShape shape{1, job.bytesPerNumber, job.normals == Normals::exact && !job.command.pieces, job.central.given};
+  shape.fastNormals = job.normals == Normals::fast;
   Result<Far::Refinement> refinement = buildTables(job.plan, shape);
   if (!refinement || !job.command.pieces) return refinement;
   refinement = tessellate(std::move(*refinement), *job.command.pieces, job.normals, availableMemory());
@@ -205,6 +210,8 @@ Result<void> checkCommand(const RefineCommand& command) {
   if (const auto writable = checkOutput(command.output, inputs); !writable) return writable;
   const auto chain = readChain(command.surface.scheme, command.surface.levels, levelChoice(command));
   if (!chain) return tl::unexpected(chain.error());
+  if (command.pieces && command.normals == "fast")
+    return fail(ErrorCode::invalidOption, "--normals fast: a tessellation has exact ones; use --normals exact");
   if (command.pieces) return checkTessellation(*chain, command.surface.scheme, *command.pieces);
   const SchemeEntry& last = *chain->parts.back().scheme;
   if (command.normals == "none" || last.limits) return {};

@@ -20,7 +20,8 @@ struct Surface {
   std::span<const Real> vertices() const { return std::span(points).first(3 * static_cast<std::size_t>(vertexCount)); }
 };
 
-enum class Normals { none, exact };
+/// fast: see Far::NormalRule; found on the CPU, whatever refines the points.
+enum class Normals { none, exact, fast };
 
 /// Refines one frame after another. Belongs to one thread at a time.
 class SurfaceEvaluator {

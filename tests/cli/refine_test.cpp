@@ -107,6 +107,21 @@ TEST_F(RefineTest, ExactNormalsAreUnitAndOneAVertex) {
     EXPECT_NEAR(std::hypot(mesh->normals[i], mesh->normals[i + 1], mesh->normals[i + 2]), 1, 1e-6);
 }
 
+TEST_F(RefineTest, FastNormalsAreUnitAndNearTheExactOnes) {
+  const std::string in = file("torus.obj", torusObj(24));
+  const auto normals = [&](const std::string& kind) {
+    refine(in, {"--levels", "3", "--normals", kind});
+    return Io::readObj(path("out.obj"))->normals;
+  };
+  const std::vector<double> fast = normals("fast"), exact = normals("exact");
+  ASSERT_EQ(fast.size(), exact.size());
+  EXPECT_NE(fast, exact);
+  for (std::size_t i = 0; i < fast.size(); i += 3) {
+    EXPECT_NEAR(std::hypot(fast[i], fast[i + 1], fast[i + 2]), 1, 1e-6);
+    EXPECT_GT(fast[i] * exact[i] + fast[i + 1] * exact[i + 1] + fast[i + 2] * exact[i + 2], std::cos(0.1)) << i / 3;
+  }
+}
+
 TEST_F(RefineTest, NoNormalsUnlessAskedFor) {
   EXPECT_EQ(refine(file("cube.obj", cubeObj()), {}).find("vn"), std::string::npos);
 }

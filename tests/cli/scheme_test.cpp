@@ -83,6 +83,27 @@ TEST_F(SchemeTest, EachGivesTheSameFileOnSerialAndTbb) {
   EXPECT_EQ(different.size(), schemes.size());
 }
 
+TEST_F(SchemeTest, FastNormalsAreTheSameOnSerialAndTbbAndLeaveThePoints) {
+  const std::vector<std::string> schemes{"akleman", "zhang-wang", "half-box",  "midpoint",
+                                         "trisect", "centroid",   "doo-sabin", "zhang-wang:1,half-box:1"};
+  const std::string in = file("house.obj", openHouseObj());
+  const auto loaded = [this](const Options& options, const std::string& mesh) {
+    refine(mesh, options);
+    return *Io::readObj(path("out.obj"));
+  };
+  for (const std::string& scheme : schemes)
+    for (const std::string precision : {"single", "double"}) {
+      const Options plain{"--scheme", scheme, "--precision", precision};
+      Options fast = plain, serial = plain;
+      fast.insert(fast.end(), {"--normals", "fast"});
+      serial.insert(serial.end(), {"--normals", "fast", "--backend", "serial"});
+      EXPECT_TRUE(refine(in, fast) == refine(in, serial)) << scheme << precision;
+      const auto mesh = loaded(fast, in);
+      EXPECT_TRUE(mesh.positions == loaded(plain, in).positions) << scheme << precision;
+      EXPECT_EQ(mesh.normals.size(), mesh.positions.size()) << scheme << precision;
+    }
+}
+
 TEST_F(SchemeTest, OptionsChangeTheSurfaceAndDefaultsDont) {
   const std::string in = file("house.obj", openHouseObj());
   const std::vector<std::vector<Options>> variants{{{"zhang-wang"},

@@ -62,6 +62,7 @@ TEST_F(VulkanBackendTest, EverySchemesFilesAreTheSameAsTheCpus) {
   const std::vector<std::vector<std::string>> schemes{
       {"--scheme", "zhang-wang", "--ccv-offset", "0.3", "--normals", "exact"},
       {"--scheme", "half-box", "--normals", "exact"},
+      {"--scheme", "half-box", "--normals", "fast"},
       {"--scheme", "half-box", "--levels", "0", "--tessellate", "2", "--normals", "exact"},
       {"--scheme", "midpoint:1,trisect:1,zhang-wang:1,centroid:1,doo-sabin:1"}};
   for (const auto& scheme : schemes) {
