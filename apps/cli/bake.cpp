@@ -54,9 +54,7 @@ Result<Io::Pc2Reader> openCache(const BakeCommand& command, const MeshInput& inp
 Result<void> writeMesh(const BakeCommand& command, const BakeFrames& job, const std::vector<float>& points) {
   const Result<const MeshFormat*> format = meshFormat(command.mesh);
   if (!format) return tl::unexpected(format.error());
-  const auto evaluator = job.backend.evaluator(job.refinement, Normals::none);
-  if (!evaluator) return tl::unexpected(evaluator.error());
-  const auto primvars = refinePrimvars<float>(job.input, job.refinement, job.central.given, **evaluator);
+  const auto primvars = refinePrimvars<float>(job.input, job.refinement, job.central.given, *job.evaluators.front());
   if (!primvars) return tl::unexpected(inFile(job.input.file, primvars.error()));
   const Far::Topology& topology = job.refinement.last().topology;
   Io::ObjContent<float> content{points, {}, topology.faceOffsets(), topology.vert()};
@@ -79,7 +77,7 @@ Result<void> writeFiles(const BakeCommand& command, const BakeFrames& job, Io::P
 }
 
 Result<void> printSummary(const BakeCommand& command, const Session& session, const SurfacePlan& plan,
-                          const BakeFrames& job, double buildMs, double bakeMs) {
+                          const BakeFrames& job, std::int64_t tileBytes, double buildMs, double bakeMs) {
   const Far::Topology& refined = job.refinement.last().topology;
   if (!session.json) {
     printNote(session,
@@ -96,10 +94,11 @@ Result<void> printSummary(const BakeCommand& command, const Session& session, co
                                     {"backend", plan.backend->name()},
                                     {"dropped_vertices", plan.mesh.input.dropped()},
                                     {"frames", job.range.count()},
-                                    {"frames_at_once", job.framesAtOnce},
+                                    {"frames_at_once", job.evaluators.size()},
                                     {"vertices", refined.vertexCount()},
                                     {"faces", refined.faceCount()},
                                     {"table_bytes", job.refinement.byteCount()},
+                                    {"tile_bytes", tileBytes},
                                     {"build_ms", buildMs},
                                     {"bake_ms", bakeMs},
                                     {"ms_per_frame", bakeMs / job.range.count()}};
@@ -123,9 +122,11 @@ Result<void> bake(const BakeCommand& command, const Session& session) {
   const int atOnce = std::min(plan->backend->framesAtOnce(), range->count());
   const Result<Far::Refinement> refinement = buildTables(*plan, {atOnce, sizeof(float), false, central->given});
   if (!refinement) return tl::unexpected(refinement.error());
+  const auto evaluators = plan->backend->frameEvaluators(*refinement, range->count(), atOnce);
+  if (!evaluators) return tl::unexpected(evaluators.error());
   const double buildMs = stopwatch.lap();
 
-  const BakeFrames job{*cache, *range, plan->mesh.input, *central, *refinement, *plan->backend, atOnce, command.cache};
+  const BakeFrames job{*cache, *range, plan->mesh.input, *central, *refinement, evaluators->each, command.cache};
   const Io::Pc2Info info{refinement->last().topology.vertexCount(), range->count(),
                          cache->info().start + static_cast<float>(range->begin) * cache->info().rate,
                          cache->info().rate};
@@ -133,7 +134,7 @@ Result<void> bake(const BakeCommand& command, const Session& session) {
   Result<Io::Pc2Writer> writer = Io::Pc2Writer::create(command.output, info);
   if (!writer) return tl::unexpected(inFile(command.output, writer.error()));
   if (const auto written = writeFiles(command, job, *writer, session); !written) return written;
-  return printSummary(command, session, *plan, job, buildMs, stopwatch.lap());
+  return printSummary(command, session, *plan, job, evaluators->tileBytes, buildMs, stopwatch.lap());
 }
 
 }  // namespace

@@ -15,22 +15,11 @@ namespace {
 
 /// What one frame of the window works with; nothing is allocated once it is warm.
 struct Slot {
-  std::unique_ptr<SurfaceEvaluator> evaluator;
+  SurfaceEvaluator& evaluator;
   std::vector<float> control;
   Surface<float> surface;
   Result<void> result;
 };
-
-Result<std::vector<Slot>> makeSlots(const BakeFrames& job) {
-  std::vector<Slot> slots(at(job.framesAtOnce));
-  for (Slot& slot : slots) {
-    auto evaluator = job.framesAtOnce == 1 ? job.backend.evaluator(job.refinement, Normals::none)
-                                           : job.backend.frameEvaluator(job.refinement);
-    if (!evaluator) return tl::unexpected(evaluator.error());
-    slot.evaluator = std::move(*evaluator);
-  }
-  return slots;
-}
 
 /// The frame's points without the vertices that were left out.
 void takeVertices(const MeshInput& input, std::span<const float> frame, std::vector<float>& control) {
@@ -68,7 +57,7 @@ Result<void> bakeFrame(const BakeFrames& job, std::int32_t frame, Slot& slot) {
   if (interruptSignal() != 0) return fail(ErrorCode::unwritable, "interrupted");
   const Result<std::span<const float>> control = controlPoints(job, frame, slot.control);
   if (!control) return tl::unexpected(control.error());
-  Result<void> done = slot.evaluator->evaluate(*control, slot.surface);
+  Result<void> done = slot.evaluator.evaluate(*control, slot.surface);
   if (done) done = checkFinite<float>(slot.surface.vertices());
   if (!done) return tl::unexpected(ofFrame(job, frame, done.error()));
   return {};
@@ -90,14 +79,15 @@ void bakeWindow(const BakeFrames& job, std::int32_t first, std::int32_t count, s
 
 Result<void> bakeFrames(const BakeFrames& job, const Session& session, Io::Pc2Writer& writer,
                         std::vector<float>* firstFrame) {
-  Result<std::vector<Slot>> slots = makeSlots(job);
-  if (!slots) return tl::unexpected(slots.error());
+  std::vector<Slot> slots;
+  for (const auto& evaluator : job.evaluators) slots.push_back({*evaluator, {}, {}, {}});
+  const auto atOnce = static_cast<std::int32_t>(slots.size());
   Progress progress(session, "baking", "frames", job.range.count());
-  for (std::int32_t first = job.range.begin; first < job.range.end; first += job.framesAtOnce) {
-    const std::int32_t count = std::min(job.framesAtOnce, job.range.end - first);
-    bakeWindow(job, first, count, *slots, progress);
+  for (std::int32_t first = job.range.begin; first < job.range.end; first += atOnce) {
+    const std::int32_t count = std::min(atOnce, job.range.end - first);
+    bakeWindow(job, first, count, slots, progress);
     for (std::int32_t i = 0; i < count; ++i) {
-      const Slot& slot = (*slots)[at(i)];
+      const Slot& slot = slots[at(i)];
       if (!slot.result) return slot.result;
       if (const auto written = writer.write(slot.surface.vertices()); !written) return written;
       if (firstFrame && first + i == job.range.begin)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,13 +23,12 @@ struct BakeFrames {
   const MeshInput& input;
   const CentralPoints& central;
   const Far::Refinement& refinement;
-  Backend& backend;
-  int framesAtOnce = 1;
-  std::string cacheFile;  ///< for messages
+  std::span<const std::unique_ptr<SurfaceEvaluator>> evaluators;  ///< one for each frame refined at the same time
+  std::string cacheFile;                                          ///< for messages
 };
 
-/// Reads, refines and writes the frames in order, `framesAtOnce` of them in memory, each a task of its own. Keeps the
-/// points of the first one in `firstFrame` unless that is null. Errors: the first frame's that has one.
+/// Reads, refines and writes the frames in order, as many of them in memory as there are evaluators, each a task of its
+/// own. Keeps the points of the first one in `firstFrame` unless that is null. Errors: the first frame's that has one.
 Result<void> bakeFrames(const BakeFrames& job, const Session& session, Io::Pc2Writer& writer,
                         std::vector<float>* firstFrame);
 

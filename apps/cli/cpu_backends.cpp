@@ -1,10 +1,16 @@
+#include "apps/cli/frame_tiles.h"
 #include "apps/cli/surface_evaluator.h"
 #include "far/base/index.h"
 #include "far/base/parallel.h"
+#include "far/tables/tile_table.h"
 #include "osd/cpu_evaluator.h"
+#include "osd/tile_evaluator.h"
 
 namespace honeycomb::Cli {
 namespace {
+
+using Threads = Osd::CpuEvaluator::Threads;
+using Instructions = Osd::CpuEvaluator::Instructions;
 
 /// Three numbers a point.
 constexpr Osd::BufferDescriptor kPacked{};
@@ -41,49 +47,81 @@ class CpuSurfaceEvaluator : public SurfaceEvaluator {
   Osd::CpuEvaluator evaluator_;
 };
 
-/// One thread: SerialEvaluator or SimdEvaluator.
-template <class Evaluator>
-class OneThreadBackend : public Backend {
+/// A frame after another by tiles, which are built once and shared.
+class TileSurfaceEvaluator : public SurfaceEvaluator {
  public:
-  explicit OneThreadBackend(std::string_view name) : name_(name) {}
+  TileSurfaceEvaluator(const Far::Refinement& refinement, std::shared_ptr<const Far::TileTable> tiles,
+                       Osd::CpuEvaluator::Threads threads)
+      : refinement_(refinement), tiles_(std::move(tiles)), evaluator_({.threads = threads}) {}
+
+  Result<void> evaluate(std::span<const float> control, Surface<float>& surface) override {
+    return evaluateAs<float>(control, surface);
+  }
+  Result<void> evaluate(std::span<const double> control, Surface<double>& surface) override {
+    return evaluateAs<double>(control, surface);
+  }
+
+ private:
+  template <class Real>
+  Result<void> evaluateAs(std::span<const Real> control, Surface<Real>& surface) {
+    surface.vertexCount = refinement_.last().topology.vertexCount();
+    surface.points.resize(3 * at(refinement_.last().pointCount()));
+    return evaluator_.evaluate<Real>(refinement_, *tiles_, tiles_->lastLevel, Osd::Points<Real>{control, kPacked},
+                                     Osd::PointsOut<Real>{surface.points, kPacked});
+  }
+
+  const Far::Refinement& refinement_;
+  std::shared_ptr<const Far::TileTable> tiles_;
+  Osd::TileEvaluator evaluator_;
+};
+
+class CpuBackend : public Backend {
+ public:
+  CpuBackend(std::string_view name, Osd::CpuEvaluator::Threads threads, Osd::CpuEvaluator::Instructions instructions)
+      : name_(name), threads_(threads), instructions_(instructions) {}
+
   std::string_view name() const override { return name_; }
   Result<std::unique_ptr<SurfaceEvaluator>> evaluator(const Far::Refinement& refinement, Normals normals) override {
-    return std::make_unique<CpuSurfaceEvaluator>(refinement, normals, Evaluator());
+    return std::make_unique<CpuSurfaceEvaluator>(refinement, normals, Osd::CpuEvaluator(threads_, instructions_));
   }
-  int framesAtOnce() const override { return 1; }
-  Result<std::unique_ptr<SurfaceEvaluator>> frameEvaluator(const Far::Refinement& refinement) override {
-    return evaluator(refinement, Normals::none);
+  int framesAtOnce() const override { return threads_ == Threads::all ? Parallel::threadCount() : 1; }
+  // A frame a task: threads that work on frames of their own wait for nobody.
+  Result<FrameEvaluators> frameEvaluators(const Far::Refinement& refinement, std::int32_t frames, int atOnce) override {
+    const Threads threads = atOnce == 1 ? threads_ : Threads::one;
+    FrameEvaluators evaluators;
+    if (instructions_ == Instructions::vectors && tilesPay(refinement, frames, atOnce)) {
+      Result<Far::TileTable> built = Far::buildTileTable(refinement);
+      if (!built) return tl::unexpected(built.error());
+      const auto tiles = std::make_shared<const Far::TileTable>(std::move(*built));
+      evaluators.tileBytes = tiles->byteCount();
+      for (int i = 0; i < atOnce; ++i)
+        evaluators.each.push_back(std::make_unique<TileSurfaceEvaluator>(refinement, tiles, threads));
+      return evaluators;
+    }
+    for (int i = 0; i < atOnce; ++i)
+      evaluators.each.push_back(
+          std::make_unique<CpuSurfaceEvaluator>(refinement, Normals::none, Osd::CpuEvaluator(threads, instructions_)));
+    return evaluators;
   }
 
  private:
   std::string_view name_;
-};
-
-class TbbBackend : public Backend {
- public:
-  std::string_view name() const override { return "tbb"; }
-  Result<std::unique_ptr<SurfaceEvaluator>> evaluator(const Far::Refinement& refinement, Normals normals) override {
-    return std::make_unique<CpuSurfaceEvaluator>(refinement, normals, Osd::TbbEvaluator());
-  }
-  int framesAtOnce() const override { return Parallel::threadCount(); }
-  // A frame a task: threads that work on frames of their own wait for nobody.
-  Result<std::unique_ptr<SurfaceEvaluator>> frameEvaluator(const Far::Refinement& refinement) override {
-    return std::make_unique<CpuSurfaceEvaluator>(refinement, Normals::none, Osd::SimdEvaluator());
-  }
+  Threads threads_;
+  Instructions instructions_;
 };
 
 }  // namespace
 
 Result<std::unique_ptr<Backend>> openSerial() {
-  return std::make_unique<OneThreadBackend<Osd::SerialEvaluator>>("serial");
+  return std::make_unique<CpuBackend>("serial", Threads::one, Instructions::plain);
 }
 
 Result<std::unique_ptr<Backend>> openSimd() {
-  return std::make_unique<OneThreadBackend<Osd::SimdEvaluator>>("simd");
+  return std::make_unique<CpuBackend>("simd", Threads::one, Instructions::vectors);
 }
 
 Result<std::unique_ptr<Backend>> openTbb() {
-  return std::make_unique<TbbBackend>();
+  return std::make_unique<CpuBackend>("tbb", Threads::all, Instructions::vectors);
 }
 
 }  // namespace honeycomb::Cli

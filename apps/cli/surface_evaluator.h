@@ -33,17 +33,25 @@ class SurfaceEvaluator {
   virtual Result<void> evaluate(std::span<const double> control, Surface<double>& surface) = 0;
 };
 
+/// What refines the frames of a bake.
+struct FrameEvaluators {
+  std::vector<std::unique_ptr<SurfaceEvaluator>> each;  ///< one for each frame that is refined at the same time
+  std::int64_t tileBytes = 0;                           ///< of the tiles that they share; 0: they go level after level
+};
+
 /// An opened backend: whatever it needs from the machine is there.
 class Backend {
  public:
   virtual ~Backend() = default;
   virtual std::string_view name() const = 0;
-  /// An evaluator that has the machine to itself. The refinement outlives it.
+  /// An evaluator that has the machine to itself, with exact normals or none. The refinement outlives it.
   virtual Result<std::unique_ptr<SurfaceEvaluator>> evaluator(const Far::Refinement& refinement, Normals normals) = 0;
   /// How many frames of a bake are refined at the same time.
   virtual int framesAtOnce() const = 0;
-  /// An evaluator for one of several frames refined at the same time.
-  virtual Result<std::unique_ptr<SurfaceEvaluator>> frameEvaluator(const Far::Refinement& refinement) = 0;
+  /// Evaluators for a bake of `frames` frames, `atOnce` (1 .. framesAtOnce()) of them refined at the same time: a lone
+  /// one has the machine to itself. The refinement outlives them.
+  virtual Result<FrameEvaluators> frameEvaluators(const Far::Refinement& refinement, std::int32_t frames,
+                                                  int atOnce) = 0;
 };
 
 /// The backends, `auto` among them. A new one is one line of the table in backends.cpp.

@@ -48,8 +48,12 @@ class VulkanBackend : public Backend {
     return std::make_unique<VulkanSurfaceEvaluator>(std::move(*session), refinement.last().topology.vertexCount());
   }
   int framesAtOnce() const override { return 1; }
-  Result<std::unique_ptr<SurfaceEvaluator>> frameEvaluator(const Far::Refinement& refinement) override {
-    return evaluator(refinement, Normals::none);
+  Result<FrameEvaluators> frameEvaluators(const Far::Refinement& refinement, std::int32_t, int) override {
+    auto only = evaluator(refinement, Normals::none);
+    if (!only) return tl::unexpected(only.error());
+    FrameEvaluators evaluators;
+    evaluators.each.push_back(std::move(*only));
+    return evaluators;
   }
 
  private:

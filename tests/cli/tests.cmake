@@ -29,7 +29,9 @@ add_dependencies(cli_test honeycomb)
 # A bake has frames in flight on all threads.
 honeycomb_test(cli_bake_test
   LABELS threads
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/bake_test.cpp
+  SOURCES
+    ${CMAKE_CURRENT_LIST_DIR}/bake_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/bake_tiles_test.cpp
   LIBRARIES honeycomb::cli cli_test_support nlohmann_json::nlohmann_json)
 add_dependencies(cli_bake_test honeycomb)
 
