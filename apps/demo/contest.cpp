@@ -8,26 +8,38 @@
 #include <memory>
 
 #include "apps/demo/stopwatch.h"
+#include "far/tables/tile_table.h"
 #include "osd/cpu_evaluator.h"
+#include "osd/tile_evaluator.h"
 
 namespace honeycomb::Demo {
 namespace {
 
-Contestant cpuContestant(const char* name, const Far::Refinement& refinement, const Osd::CpuEvaluator& evaluator) {
+using Source = Osd::Points<float>;
+using Target = Osd::PointsOut<float>;
+
+/// `evaluate`: Result<void>(Source, Target), from the control points to those of the last level.
+template <class Evaluate>
+Contestant cpuContestant(const char* name, double preparation, const Far::Refinement& refinement, Evaluate evaluate) {
   struct State {
-    Osd::CpuEvaluator evaluator;
+    Evaluate evaluate;
     std::vector<float> points;
   };
-  auto state = std::make_shared<State>(State{evaluator, {}});
+  auto state = std::make_shared<State>(State{std::move(evaluate), {}});
   state->points.resize(3 * static_cast<std::size_t>(refinement.last().pointCount()));
   auto refine = [state, &refinement](std::span<const float> control) -> Result<std::span<const float>> {
-    const Osd::Points<float> source{control, {}};
-    const Osd::PointsOut<float> target{state->points, {}};
-    const auto done = state->evaluator.evaluate<float>(refinement, refinement.levelCount(), source, target);
+    const auto done = state->evaluate(Source{control, {}}, Target{state->points, {}});
     if (!done) return tl::unexpected(done.error());
     return verticesOf(refinement, state->points);
   };
-  return {name, 0, refine};
+  return {name, preparation, refine};
+}
+
+Contestant levelContestant(const char* name, const Far::Refinement& refinement, Osd::CpuEvaluator evaluator) {
+  auto evaluate = [evaluator = std::move(evaluator), &refinement](const Source& source, const Target& target) mutable {
+    return evaluator.evaluate<float>(refinement, refinement.levelCount(), source, target);
+  };
+  return cpuContestant(name, 0, refinement, std::move(evaluate));
 }
 
 /// Floats in the order of their values as unsigned numbers, the two zeros apart.
@@ -75,11 +87,28 @@ std::uint32_t bitDistance(float a, float b) {
 }
 
 Contestant serialContestant(const Far::Refinement& refinement) {
-  return cpuContestant("serial", refinement, Osd::SerialEvaluator());
+  return levelContestant("serial", refinement, Osd::SerialEvaluator());
 }
 
 Contestant threadedContestant(const Far::Refinement& refinement) {
-  return cpuContestant("tbb", refinement, Osd::TbbEvaluator());
+  return levelContestant("tbb", refinement, Osd::TbbEvaluator());
+}
+
+Result<Contestant> tiledContestant(const Far::Refinement& refinement) {
+  struct State {
+    Far::TileTable tiles;
+    Osd::TileEvaluator evaluator;
+  };
+  const Stopwatch watch;
+  Result<Far::TileTable> tiles = Far::buildTileTable(refinement);
+  if (!tiles) return tl::unexpected(tiles.error());
+  const double preparation = watch.milliseconds();
+  auto state = std::make_shared<State>();
+  state->tiles = std::move(*tiles);
+  auto evaluate = [state, &refinement](const Source& source, const Target& target) {
+    return state->evaluator.evaluate<float>(refinement, state->tiles, state->tiles.lastLevel, source, target);
+  };
+  return cpuContestant("tbb, tiles", preparation, refinement, evaluate);
 }
 
 Result<std::vector<Standing>> runContest(std::span<const Contestant> contestants, const Animation& animation,
@@ -106,11 +135,11 @@ Result<std::vector<Standing>> runContest(std::span<const Contestant> contestants
 }
 
 std::string tableOf(std::span<const Standing> standings) {
-  std::string text = fmt::format("{:<10}{:>12}{:>12}{:>20}{:>22}\n", "evaluator", "build ms", "ms/frame",
+  std::string text = fmt::format("{:<12}{:>12}{:>12}{:>20}{:>22}\n", "evaluator", "build ms", "ms/frame",
                                  "refined vertices/s", "largest difference");
   for (const Standing& s : standings) {
     const std::string difference = s.difference == 0 ? "0 bits" : fmt::format("{} ulp", s.difference);
-    text += fmt::format("{:<10}{:>12.1f}{:>12.2f}{:>18.1f} M{:>22}\n", s.name, s.buildTime, s.frameTime,
+    text += fmt::format("{:<12}{:>12.1f}{:>12.2f}{:>18.1f} M{:>22}\n", s.name, s.buildTime, s.frameTime,
                         s.vertexRate * 1e-6, difference);
   }
   return text;

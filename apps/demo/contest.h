@@ -15,7 +15,7 @@ namespace honeycomb::Demo {
 /// An evaluator ready to refine frames.
 struct Contestant {
   std::string name;
-  double preparation = 0;  ///< ms beyond the tables: pipelines and uploads
+  double preparation = 0;  ///< ms beyond the tables: tiles; pipelines and uploads
   /// Control points of a frame to the vertices of the last level, x y z packed; the result is valid until the next
   /// call.
   std::function<Result<std::span<const float>>(std::span<const float>)> refine;
@@ -33,6 +33,8 @@ struct Standing {
 /// The reference: must come first in a contest.
 Contestant serialContestant(const Far::Refinement& refinement);
 Contestant threadedContestant(const Far::Refinement& refinement);
+/// On all threads too, by tiles. Errors: those of Far::buildTileTable.
+Result<Contestant> tiledContestant(const Far::Refinement& refinement);
 
 /// The vertices among the points of the last level, which come first.
 std::span<const float> verticesOf(const Far::Refinement& refinement, std::span<const float> points);

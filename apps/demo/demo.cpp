@@ -65,6 +65,9 @@ void introduce(const Subject& subject) {
 
 Result<void> compete(const Subject& subject, const Result<VulkanPart>& vulkan) {
   std::vector<Contestant> contestants{serialContestant(subject.refinement), threadedContestant(subject.refinement)};
+  auto tiled = tiledContestant(subject.refinement);
+  if (!tiled) return tl::unexpected(tiled.error());
+  contestants.push_back(std::move(*tiled));
   if (vulkan) {
     auto contestant = vulkan->contestant(subject.refinement);
     if (!contestant) return tl::unexpected(contestant.error());
