@@ -5,6 +5,7 @@
 #include "far/tables/tile_table.h"
 #include "osd/cpu_evaluator.h"
 #include "osd/tile_evaluator.h"
+#include "osd/tile_size.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -90,7 +91,7 @@ class CpuBackend : public Backend {
     const Threads threads = atOnce == 1 ? threads_ : Threads::one;
     FrameEvaluators evaluators;
     if (instructions_ == Instructions::vectors && tilesPay(refinement, frames, atOnce)) {
-      Result<Far::TileTable> built = Far::buildTileTable(refinement);
+      Result<Far::TileTable> built = Far::buildTileTable(refinement, {.scratchPoints = Osd::tilePoints()});
       if (!built) return tl::unexpected(built.error());
       const auto tiles = std::make_shared<const Far::TileTable>(std::move(*built));
       evaluators.tileBytes = tiles->byteCount();

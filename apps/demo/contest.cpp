@@ -11,6 +11,7 @@
 #include "far/tables/tile_table.h"
 #include "osd/cpu_evaluator.h"
 #include "osd/tile_evaluator.h"
+#include "osd/tile_size.h"
 
 namespace honeycomb::Demo {
 namespace {
@@ -100,7 +101,7 @@ Result<Contestant> tiledContestant(const Far::Refinement& refinement) {
     Osd::TileEvaluator evaluator;
   };
   const Stopwatch watch;
-  Result<Far::TileTable> tiles = Far::buildTileTable(refinement);
+  Result<Far::TileTable> tiles = Far::buildTileTable(refinement, {.scratchPoints = Osd::tilePoints()});
   if (!tiles) return tl::unexpected(tiles.error());
   const double preparation = watch.milliseconds();
   auto state = std::make_shared<State>();
