@@ -26,6 +26,19 @@ Result<void> checkLevel(const Far::TileTable& tiles, std::int32_t level) {
   return {};
 }
 
+Result<void> checkChoice(const Far::TileTable& tiles, const std::optional<std::span<const std::int32_t>>& only) {
+  if (!only) return {};
+  std::int64_t before = -1;
+  for (const std::int32_t tile : *only) {
+    if (tile <= before || tile >= std::ssize(tiles.tiles)) {
+      return fail(ErrorCode::invalidOption, fmt::format("tile {} is chosen behind {}; give ascending numbers below {}",
+                                                        tile, before, tiles.tiles.size()));
+    }
+    before = tile;
+  }
+  return {};
+}
+
 constexpr std::size_t kLine = 64 / sizeof(float);
 
 /// The first number from p on that begins a cache line.
@@ -67,10 +80,11 @@ template <class Real>
 Result<void> TileEvaluator::check(const Far::TileTable& tiles, std::int32_t level, const Points<Real>& control,
                                   const PointsOut<Real>& refined, const TileRequest<Real>& request) const {
   if (auto ok = checkLevel(tiles, level); !ok) return ok;
+  if (auto ok = checkChoice(tiles, request.only); !ok) return ok;
   const std::int32_t count = tiles.pointCount[at(level)];
   if (auto ok = checkPoints(control, tiles.pointCount.front(), refined, count); !ok) return ok;
   if (request.normals.data.empty()) return {};
-  if (tiles.normals.tiles.empty()) {
+  if (tiles.normals.shared.empty()) {
     return fail(ErrorCode::invalidOption, "the tiles were built without normals; ask for them in TileOptions");
   }
   if (level != tiles.lastLevel) {

@@ -28,7 +28,8 @@ template <class Real>
 struct TileRequest {
   /// Unit normals of the last level's points (length 3), of tiles built with normals: see NormalRule. Empty: none.
   PointsOut<Real> normals = {};
-  /// Ascending numbers of tiles: the points of these alone, at their cost; others are left untouched. None: all.
+  /// Ascending numbers of tiles: the points of these and those that no tile writes, at their cost; others are left
+  /// untouched. Levels up to the tiles' root level are written whole. None: all.
   std::optional<std::span<const std::int32_t>> only = {};
 };
 
@@ -43,7 +44,7 @@ class TileEvaluator {
   /// From the control points to level `level` (1 .. tiles.lastLevel) of the refinement that the tiles were built from;
   /// a lower level costs what it has.
   /// Errors: invalidOption for a level out of range, for TileOrder::tiles or normals a level before the last, buffers
-  /// too small.
+  /// too small, tiles chosen that there aren't or out of order.
   template <class Real>
   Result<void> evaluate(const Far::Refinement& refinement, const Far::TileTable& tiles, std::int32_t level,
                         const Points<Real>& control, const PointsOut<Real>& refined,

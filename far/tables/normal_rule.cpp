@@ -12,6 +12,19 @@
 
 namespace honeycomb::Far {
 
+namespace {
+
+/// Every so many'th, where there are too many for a tile.
+void thinOut(std::vector<std::int32_t>& normals) {
+  const std::size_t every = (normals.size() + kMostSummedNormals - 1) / kMostSummedNormals;
+  if (every < 2) return;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < normals.size(); i += every) normals[kept++] = normals[i];
+  normals.resize(kept);
+}
+
+}  // namespace
+
 NormalRule::NormalRule(const Refinement& refinement, std::int32_t level)
     : refinement_(refinement),
       last_(level),
@@ -74,6 +87,16 @@ LimitRows NormalRule::frames(std::int32_t k) const {
   return rows;
 }
 
+/// Appends the normals of the faces at a vertex of level L - 1, unless they are too many: its edges may all have points
+/// of their own, each of which would walk round it.
+void NormalRule::appendAt(std::int32_t vertex, std::vector<std::int32_t>& normals) const {
+  const std::size_t before = normals.size();
+  for (const std::int32_t out : before_.halfEdgesFrom(vertex)) {
+    if (normals.size() - before == kMostFacesOfVertex) return normals.resize(before);
+    normals.push_back(normalOf(before_.face(out)));
+  }
+}
+
 /// The normals of what the faces round a vertex were made from.
 std::vector<std::int32_t> NormalRule::around(std::int32_t vertex) const {
   const Topology& topology = level_.topology;
@@ -91,10 +114,11 @@ std::vector<std::int32_t> NormalRule::around(std::int32_t vertex) const {
         if (before_.twin(parent) >= 0) normals.push_back(normalOf(before_.face(before_.twin(parent))));
         break;
       case FaceParent::vertex:
-        for (const std::int32_t out : before_.halfEdgesFrom(parent)) normals.push_back(normalOf(before_.face(out)));
+        appendAt(parent, normals);
         break;
     }
   }
+  thinOut(normals);
   return normals;
 }
 

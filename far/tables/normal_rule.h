@@ -8,6 +8,11 @@
 
 namespace honeycomb::Far {
 
+/// A vertex with more faces tells nothing of the direction of one point beside it, and costs as much for each of them.
+constexpr std::size_t kMostFacesOfVertex = 64;
+/// A point sums at most so many normals: what a tile can hold with the corners of their faces.
+constexpr std::size_t kMostSummedNormals = 256;
+
 /// Where the fast normals of a level's vertices come from: a face keeps its limit normal T1 x T2 through all levels, so
 /// that it is found once, from the points of the level where the face is born, and a vertex of level L takes the
 /// direction of the sum of some normals of faces of level L - 1:
@@ -15,8 +20,8 @@ namespace honeycomb::Far {
 ///                                         across the two half-edges at its corner; f once more for each that is
 ///                                         missing
 ///     other points                        of each face round the vertex what it was made from: a face; the two faces
-///     of
-///                                         an edge; the faces of a vertex
+///                                         of an edge; the faces of a vertex, unless they are more than
+///                                         kMostFacesOfVertex. Of more than kMostSummedNormals every second, third ..
 /// Against the exact normal of a vertex (its child face's) on a rough mesh: 0.4 degrees mean at level 4, 1.2 at
 /// level 3. Points that are not vertices (central control vertices) have the zero vector.
 class NormalRule {
@@ -52,6 +57,7 @@ class NormalRule {
   template <class Visit>
   void visitCorner(std::int32_t point, const Visit& visit) const;
   std::vector<std::int32_t> around(std::int32_t vertex) const;
+  void appendAt(std::int32_t vertex, std::vector<std::int32_t>& normals) const;
   std::vector<std::uint8_t> bornRuns(std::int32_t k) const;
   void trace();
 

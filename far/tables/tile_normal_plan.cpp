@@ -35,7 +35,7 @@ TileNormalPlan::TileNormalPlan(const Refinement& refinement, const TileUnits& un
 void TileNormalPlan::chooseShared(const TileUnits& units, const std::vector<std::int32_t>& large) {
   for (std::int32_t k = 0; k < last_; ++k) {
     for (const FrameBatch& batch : frames_[at(k)].batches) {
-      if (k >= root_ && batch.sides <= kMostTileEntries) continue;
+      if (k >= root_ && batch.sides <= kLargestCirculant) continue;
       for (std::int32_t g = 0; g < batch.count; ++g) {
         shared_[at(frames_[at(k)].elements[at(batch.firstElement + g)])] = kToShare;
       }

@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "far/schemes/akleman.h"
+#include "far/schemes/midpoint.h"
+#include "far/schemes/trisect.h"
 #include "far/tables/normal_rule.h"
 #include "osd/normal_evaluator.h"
 #include "osd/tile_evaluator.h"
@@ -120,6 +122,22 @@ TYPED_TEST(TileNormals, OfWhatIsTooLargeForTilesAreFoundForAllOfThem) {
   for (const ListedScheme& scheme : listedSchemes()) {
     SCOPED_TRACE(scheme.name);
     ASSERT_NO_FATAL_FAILURE(compare<TypeParam>(refinedBy(scheme, toTopology(prism(400)), 2), 1000, 6));
+  }
+}
+
+TYPED_TEST(TileNormals, AreFoundWhereThereIsNoTile) {
+  const Far::Refinement refinement = refined(pillow(300), schemeCase(NamedTension::paper).scheme, 1);
+  ASSERT_TRUE(Far::buildTileTable(refinement)->tiles.empty());
+  ASSERT_NO_FATAL_FAILURE(compare<TypeParam>(refinement, 1000, 7));
+}
+
+TYPED_TEST(TileNormals, CostLinearTimeAroundAVertexOfManyFaces) {
+  // Every edge of the hub has a point of its own, beside all of the hub's faces.
+  for (const auto& scheme : {Far::midpoint(), *Far::trisect()}) {
+    const Far::Refinement refinement = refined(wheel(3000), scheme, 1);
+    const auto table = Far::buildNormalTable(refinement, 1);
+    EXPECT_LT(table->faces.size() / static_cast<std::size_t>(refinement.last().pointCount()), 80u);
+    ASSERT_NO_FATAL_FAILURE(compare<TypeParam>(refinement, 1000, 8));
   }
 }
 
