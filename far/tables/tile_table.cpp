@@ -21,11 +21,16 @@ constexpr std::int64_t kFewestPoints = 192;
 /// What a tile holds beside the points that descend from its own, in hundredths.
 constexpr std::int64_t kHalo = 130;
 
+/// What the tables make of level k: a level may have values of other kinds behind its points, such as tangents.
+std::int32_t pointsOf(const Refinement& refinement, std::int32_t k) {
+  return k == 0 ? refinement.level(1).table.sourceCount : refinement.level(k).table.targetCount;
+}
+
 /// How many points of the level behind the root a tile may have for all its points to fit.
 std::int64_t pointsPerTile(const Refinement& refinement, std::int32_t root, std::int32_t last, std::int64_t scratch) {
-  std::int64_t points = refinement.level(root).pointCount();
-  for (std::int32_t k = root + 1; k < last; ++k) points += refinement.level(k).pointCount();
-  const std::int64_t first = refinement.level(root + 1).pointCount();
+  std::int64_t points = pointsOf(refinement, root);
+  for (std::int32_t k = root + 1; k < last; ++k) points += pointsOf(refinement, k);
+  const std::int64_t first = pointsOf(refinement, root + 1);
   return std::max<std::int64_t>(1, scratch * 100 / kHalo * first / std::max<std::int64_t>(1, points));
 }
 
@@ -215,9 +220,12 @@ Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions
     TilePlan plan(refinement, table.rootLevel, last,
                   static_cast<std::int32_t>(std::min<std::int64_t>(size, kMostTilePoints)), options);
     std::vector<TileParts> parts = assemble(plan);
-    if (parts.empty() && plan.owners.tileCount > 0 && scratch > 0) continue;
+    if (parts.empty() && plan.owners.tileCount > 0) {
+      if (scratch > 0) continue;
+      return fail(ErrorCode::tooLarge, "what a single face reads is too much for a tile; evaluate level by level");
+    }
     table.rootPoints = plan.units.rootPoints();
-    for (std::int32_t k = 0; k <= last; ++k) table.pointCount.push_back(refinement.level(k).pointCount());
+    for (std::int32_t k = 0; k <= last; ++k) table.pointCount.push_back(pointsOf(refinement, k));
     for (const TileParts& part : parts) table.largestTile = std::max(table.largestTile, part.largestTile);
     Join(parts, table).run();
     table.shared = std::move(plan.sharing).sets();

@@ -108,7 +108,7 @@ struct TileNormalRange {
 
 /// What the fast normals of the last level are made of, tile by tile: see NormalRule.
 struct TileNormals {
-  std::vector<TileNormalRange> tiles;  ///< one a tile; empty if the table was built without normals
+  std::vector<TileNormalRange> tiles;  ///< one a tile
   std::vector<std::int32_t> imports;   ///< shared normals
   std::vector<TileFrames> frames;
   std::vector<TilePoint> indices;
@@ -123,7 +123,7 @@ struct TileNormals {
   std::vector<float> weightsSingle;
   /// Normals of faces born before the tiles' root level, from the points of levels 0 .. rootLevel; and of faces too
   /// large for a tile, from the root's points and from shared points (as TileTable::imports numbers them). Elements:
-  /// shared normals.
+  /// shared normals. One a level; none if the table was built without normals.
   std::vector<LimitRows> shared;
   std::int32_t sharedCount = 0;
   /// Per point of the last level that no tile writes (SharedPoints::written, run after run): the shared normals it
@@ -155,7 +155,7 @@ struct TileTable {
   std::int32_t lastLevel = 0;
   TileOrder order = TileOrder::levels;
   std::int32_t rootPoints = 0;           ///< points of the root level
-  std::vector<std::int32_t> pointCount;  ///< of levels 0 .. lastLevel
+  std::vector<std::int32_t> pointCount;  ///< of levels 0 .. lastLevel: what the level tables read and make
   std::vector<Tile> tiles;
   std::vector<TileStep> steps;
   std::vector<TileStage> stages;
@@ -175,7 +175,8 @@ struct TileTable {
   /// Bytes held by the arrays.
   std::int64_t byteCount() const;
   /// The tiles that write the points `points` of level `level`, ascending: evaluating only these gives those points.
-  /// Linear in the table. Points that no tile writes (those of shared faces) are written with any choice of tiles.
+  /// Linear in the table. Points that no tile writes (those of shared faces) are written with any choice of tiles; at
+  /// levels up to rootLevel these are all. TileOrder::tiles: of the last level, by the level's numbers.
   std::vector<std::int32_t> tilesOf(std::int32_t level, std::span<const std::int32_t> points) const;
 };
 
@@ -189,7 +190,7 @@ inline std::span<const float> TileTable::weightsAs<float>() const {
 }
 
 /// Cuts a refinement into tiles, in parallel and always alike. Errors: invalidOption for a level that the refinement
-/// doesn't have or scratchPoints out of range.
+/// doesn't have or scratchPoints out of range; tooLarge where a single face or row reads more than a tile can hold.
 /// Linear in the refinement's tables.
 Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions& options = {});
 

@@ -86,7 +86,7 @@ bool LevelUnits::tooLarge(const UnitBatch& batch, std::int32_t unit) const {
 }
 
 TileUnits::TileUnits(const Refinement& refinement, std::int32_t root, std::int32_t last)
-    : root_(root), rootPoints_(refinement.level(root).pointCount()), levels_(at(last - root)) {
+    : root_(root), rootPoints_(refinement.level(root + 1).table.sourceCount), levels_(at(last - root)) {
   for (std::int32_t k = root + 1; k <= last; ++k) {
     LevelUnits& level = levelAt(k);
     level.table = &refinement.level(k).table;

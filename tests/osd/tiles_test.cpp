@@ -219,6 +219,31 @@ TYPED_TEST(Tiles, GiveTheChosenPointsAndTouchNoOthers) {
   EXPECT_TRUE(sameBits(none, test.fresh(3)));
 }
 
+TYPED_TEST(Tiles, MakeAllPointsOfATableThatMakesMoreThanItsLevelHasVertices) {
+  // As a tessellation's, whose tangents stand behind its points: here each point a second time.
+  const Far::Refinement first = refined(torus(8, 7), schemeCase(NamedTension::paper).scheme, 1);
+  Far::Level level{first.last().topology, {}};
+  const std::int32_t count = first.last().pointCount();
+  level.table.sourceCount = count;
+  level.table.targetCount = 2 * count;
+  level.table.dense = {{1, count, 0, 0, 0}, {1, count, 0, count, 0}};
+  for (std::int32_t i = 0; i < count; ++i) level.table.indices.push_back(i);
+  level.table.weights = {1};
+  level.table.weightsSingle = {1};
+  const Far::Refinement refinement = Far::Refinement(first).followedBy(std::move(level));
+  const Far::TileTable tiles = tiled(refinement, 300);
+  const std::vector<TypeParam> control = randomNumbers<TypeParam>(3 * refinement.level(0).pointCount(), 9);
+  std::vector<TypeParam> expected(static_cast<std::size_t>(6 * count)), target(expected.size());
+  const Osd::Points<TypeParam> in{control, {}};
+  Osd::SerialEvaluator serial;
+  ASSERT_TRUE(serial.evaluate(refinement, 2, in, Osd::PointsOut<TypeParam>{expected, {}}));
+  Osd::TileEvaluator evaluator;
+  ASSERT_TRUE(evaluator.evaluate(refinement, tiles, 2, in, Osd::PointsOut<TypeParam>{target, {}}));
+  EXPECT_TRUE(sameBits(target, expected));
+  const auto half = std::span(target).first(target.size() / 2);
+  EXPECT_FALSE(evaluator.evaluate(refinement, tiles, 2, in, Osd::PointsOut<TypeParam>{half, {}}));
+}
+
 TEST(TileTable, StartsFromALevelThatTilesOfASoundSizeReachTheLastFrom) {
   const Far::Refinement refinement = refined(torus(8, 8), schemeCase(NamedTension::paper).scheme, 5);
   EXPECT_EQ(tiled(refinement, 32000).rootLevel, 0);
@@ -257,6 +282,13 @@ TEST(TileEvaluator, RefusesWhatItCannotDo) {
   EXPECT_FALSE(evaluator.evaluate(refinement, tiles, 3, in, out).has_value());
   EXPECT_FALSE(evaluator.evaluate(refinement, tiles, 2, in, {std::span(refined).first(30), {}}).has_value());
   EXPECT_FALSE(evaluator.evaluate(refinement, tiled(refinement, 500, Far::TileOrder::tiles), 1, in, out).has_value());
+  const auto chosen = [&](const std::vector<std::int32_t>& only) {
+    return evaluator.evaluate(refinement, tiles, 2, in, out, {{}, only}).has_value();
+  };
+  EXPECT_TRUE(chosen({0}));
+  EXPECT_FALSE(chosen({-1}));
+  EXPECT_FALSE(chosen({0, 0}));
+  EXPECT_FALSE(chosen({static_cast<std::int32_t>(tiles.tiles.size())}));
 }
 
 }  // namespace
