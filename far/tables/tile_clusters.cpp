@@ -1,6 +1,7 @@
 #include "far/tables/tile_clusters.h"
 
 #include <algorithm>
+#include <array>
 #include <deque>
 
 #include "far/base/index.h"
@@ -32,6 +33,50 @@ struct Readers {
       }
     }
   }
+};
+
+/// Units by a count that only grows: each stands in the queue of every count it has had, and only its place in the
+/// last of them is good.
+class CountQueues {
+ public:
+  void push(std::int32_t unit, std::int32_t count) {
+    const std::int32_t queue = std::min(count, kMostCount);
+    queues_[at(queue)].units.push_back(unit);
+    highest_ = std::max(highest_, queue);
+  }
+
+  /// The good unit that has waited longest in the queue of the highest count; -1: none is left. good(unit, count)
+  /// tells of a place whether it is.
+  template <class Good>
+  std::int32_t pop(const Good& good) {
+    for (; highest_ > 0; --highest_) {
+      Queue& queue = queues_[at(highest_)];
+      while (queue.next < queue.units.size()) {
+        const std::int32_t unit = queue.units[queue.next++];
+        if (good(unit, highest_)) return unit;
+      }
+    }
+    return -1;
+  }
+
+  void clear() {
+    for (Queue& queue : queues_) {
+      queue.units.clear();
+      queue.next = 0;
+    }
+    highest_ = 0;
+  }
+
+  /// Higher counts are taken for this one.
+  static constexpr std::int32_t kMostCount = 64;
+
+ private:
+  struct Queue {
+    std::vector<std::int32_t> units;
+    std::size_t next = 0;
+  };
+  std::array<Queue, at(kMostCount + 1)> queues_;
+  std::int32_t highest_ = 0;
 };
 
 /// Grows one tile after the other from a seed, always by the unit that shares the most points with it.
@@ -82,17 +127,21 @@ class Growth {
 
   void growFrom(std::int32_t seed) {
     take(seed);
-    while (points_ < pointsPerTile_ && !near_.empty()) {
-      const auto best = std::ranges::max_element(near_, {}, [&](std::int32_t u) { return shared_[at(u)]; });
-      const std::int32_t unit = *best;
-      near_.erase(best);
+    const auto nearest = [&](std::int32_t unit, std::int32_t count) {
+      return owner_[at(unit)] == kFree && std::min(shared_[at(unit)], CountQueues::kMostCount) == count;
+    };
+    while (points_ < pointsPerTile_) {
+      const std::int32_t unit = byShared_.pop(nearest);
+      if (unit < 0) break;
       take(unit);
     }
     for (const std::int32_t unit : near_) {
+      if (owner_[at(unit)] != kFree) continue;
       shared_[at(unit)] = 0;
       rim_.push_back(unit);
     }
     near_.clear();
+    byShared_.clear();
   }
 
   void take(std::int32_t unit) {
@@ -105,7 +154,8 @@ class Growth {
       for (std::int32_t i = first; i < end; ++i) {
         const std::int32_t other = readers_.units[at(i)];
         if (owner_[at(other)] != kFree) continue;
-        if (shared_[at(other)]++ == 0) near_.push_back(other);
+        if (++shared_[at(other)] == 1) near_.push_back(other);
+        byShared_.push(other, shared_[at(other)]);
       }
     }
   }
@@ -117,7 +167,8 @@ class Growth {
   std::int32_t points_ = 0;  // of the open tile
   std::vector<std::int32_t> owner_;
   std::vector<std::int32_t> shared_;  // points of a free unit that the open tile reads too
-  std::vector<std::int32_t> near_;    // free units with such points, oldest first
+  std::vector<std::int32_t> near_;    // units that had such points when they were free, oldest first
+  CountQueues byShared_;              // the same by how many
   std::deque<std::int32_t> rim_;
 };
 
