@@ -139,7 +139,7 @@ std::int64_t exclusiveScan(std::span<std::int32_t> values) {
   return sums.back();
 }
 
-std::vector<std::int32_t> stableOrder(std::span<const std::int32_t> keys, std::int32_t keyCount) {
+Array<std::int32_t> stableOrder(std::span<const std::int32_t> keys, std::int32_t keyCount) {
   const auto count = static_cast<std::int64_t>(keys.size());
   // Many keys: one piece, so that the histograms stay linear in the items.
   const std::int64_t pieces = keyCount > 4096 ? 1 : pieceCount(count);
@@ -155,7 +155,7 @@ std::vector<std::int32_t> stableOrder(std::span<const std::int32_t> keys, std::i
       },
       1);
   exclusiveScan(places);
-  std::vector<std::int32_t> order(keys.size());
+  Array<std::int32_t> order(keys.size());
   forEach(
       0, pieces,
       [&](std::int64_t piece) {

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "far/base/array.h"
+
 /// The one seam through which every parallel loop of the project goes: oneTBB in the product, std::thread under the
 /// thread sanitizer (Debian's oneTBB is not instrumented and floods it with false reports). What a loop computes never
 /// depends on how its range is cut, so results are the same on any number of threads.
@@ -49,6 +51,6 @@ std::int64_t exclusiveScan(std::span<std::int32_t> values);
 
 /// Stable counting sort: the items 0..keys.size()-1 ordered by keys[i] in [0, keyCount), equal keys in item order.
 /// Linear in items and keys.
-std::vector<std::int32_t> stableOrder(std::span<const std::int32_t> keys, std::int32_t keyCount);
+Array<std::int32_t> stableOrder(std::span<const std::int32_t> keys, std::int32_t keyCount);
 
 }  // namespace honeycomb::Parallel

@@ -169,7 +169,7 @@ class LevelBuilder {
   /// its own corners (two halves of a face that grew together), so that its points need rows.
   std::int32_t addCorners(std::int32_t oldIndex, std::int32_t firstOutput, std::int32_t faces, std::int32_t corners,
                           std::int32_t outputs) {
-    std::vector<std::int32_t>& indices = level_.table.indices;
+    Array<std::int32_t>& indices = level_.table.indices;
     const std::size_t firstIndex = indices.size();
     indices.resize(firstIndex + at(faces) * at(corners));
     Parallel::forEach(

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "far/base/array.h"
+
 namespace honeycomb::Far {
 
 /// Faces with up to this many sides are evaluated by their circulant matrix directly, larger ones by projections.
@@ -104,9 +106,9 @@ struct LevelTable {
   std::vector<ProjectedFace> projected;
   std::vector<DenseRows> dense;
   LooseRows loose;
-  std::vector<std::int32_t> indices;  ///< source points, of all batches
-  std::vector<double> weights;        ///< of all batches
-  std::vector<float> weightsSingle;   ///< the same, rounded
+  Array<std::int32_t> indices;       ///< source points, of all batches
+  std::vector<double> weights;       ///< of all batches
+  std::vector<float> weightsSingle;  ///< the same, rounded
 
   /// The weights in the precision of the points.
   template <class Real>

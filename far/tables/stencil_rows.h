@@ -76,7 +76,7 @@ class StencilStart {
 /// Where the entries of the rows go: for each row the next of `offsets`, entries sorted by control point.
 struct StencilEntries {
   std::vector<std::int32_t> offsets;
-  std::vector<std::int32_t> indices;
+  Array<std::int32_t> indices;
 };
 
 /// Counts the entries of the rows and sets the offsets. False, early and without them, when there are more than `most`.

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "far/base/array.h"
 #include "far/base/result.h"
 #include "far/tables/level_table.h"
 #include "far/tables/refinement.h"
@@ -49,7 +50,7 @@ struct StencilTable {
   std::int32_t sourceCount = 0;          ///< control points read
   std::vector<std::int32_t> outputs;     ///< the point, vertex or face of the level that each row gives
   std::vector<std::int32_t> offsets{0};  ///< rows + 1
-  std::vector<std::int32_t> indices;     ///< control points
+  Array<std::int32_t> indices;           ///< control points
   std::vector<double> weights;
   std::vector<float> weightsSingle;        ///< the same, rounded
   std::vector<double> tangent1, tangent2;  ///< of limits; else empty

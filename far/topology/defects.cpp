@@ -98,7 +98,7 @@ void inspectVertices(const Polygons& polygons, Inspection& inspection) {
   // Out-of-range corners carry no vertex to start from.
   std::vector<std::int32_t> vert = polygons.indices;
   for (std::int32_t& v : vert) v = v < 0 || v >= polygons.vertexCount ? polygons.vertexCount : v;
-  const std::vector<std::int32_t> outgoing = outgoingCorners(vert, inspection.edges.twin, polygons.vertexCount + 1);
+  const Array<std::int32_t> outgoing = outgoingCorners(vert, inspection.edges.twin, polygons.vertexCount + 1);
 
   const CornerWalk walk(polygons, inspection);
   std::vector<std::int8_t> verdict(at(polygons.vertexCount), 0);

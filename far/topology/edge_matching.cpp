@@ -66,7 +66,7 @@ std::vector<std::int32_t> cornerFaces(const Polygons& polygons) {
 EdgeMatching matchEdges(const Polygons& polygons, std::span<const std::int32_t> cornerFace,
                         std::span<const std::uint8_t> sound) {
   const EdgeKeys keys = edgeKeys(polygons, cornerFace, sound);
-  std::vector<std::int32_t> order = Parallel::stableOrder(keys.low, polygons.vertexCount + 1);
+  Array<std::int32_t> order = Parallel::stableOrder(keys.low, polygons.vertexCount + 1);
   std::vector<std::int32_t> firstOf(at(polygons.vertexCount) + 2, 0);
   for (const std::int32_t low : keys.low) ++firstOf[at(low)];
   Parallel::exclusiveScan(firstOf);
@@ -97,9 +97,9 @@ EdgeMatching matchEdges(const Polygons& polygons, std::span<const std::int32_t> 
   return matching;
 }
 
-std::vector<std::int32_t> outgoingCorners(std::span<const std::int32_t> vert, std::span<const std::int32_t> twin,
+Array<std::int32_t> outgoingCorners(std::span<const std::int32_t> vert, std::span<const std::int32_t> twin,
                                           std::int32_t vertexCount) {
-  std::vector<std::int32_t> outgoing(at(vertexCount), -1);
+  Array<std::int32_t> outgoing(at(vertexCount), -1);
   for (std::size_t c = vert.size(); c-- > 0;) {
     std::int32_t& h = outgoing[at(vert[c])];
     if (twin[c] < 0 || h < 0 || twin[at(h)] >= 0) h = static_cast<std::int32_t>(c);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "far/base/array.h"
 #include "far/topology/defects.h"
 #include "far/topology/polygons.h"
 
@@ -26,8 +27,8 @@ EdgeMatching matchEdges(const Polygons& polygons, std::span<const std::int32_t> 
                         std::span<const std::uint8_t> sound);
 
 /// Per vertex: its lowest corner, or its lowest boundary corner if it has one; -1 for a vertex in no face.
-std::vector<std::int32_t> outgoingCorners(std::span<const std::int32_t> vert, std::span<const std::int32_t> twin,
-                                          std::int32_t vertexCount);
+Array<std::int32_t> outgoingCorners(std::span<const std::int32_t> vert, std::span<const std::int32_t> twin,
+                                    std::int32_t vertexCount);
 
 /// Everything findDefects and Topology::create share.
 struct Inspection {

@@ -55,7 +55,7 @@ TopologyArrays sortedFaces(const Polygons& polygons, const std::vector<std::int3
   TopologyArrays arrays;
   arrays.vertexCount = polygons.vertexCount;
   arrays.parents = Parallel::stableOrder(sides, *std::max_element(sides.begin(), sides.end()) + 1);
-  arrays.faceOffsets.resize(faces.size() + 1);
+  arrays.faceOffsets.resize(faces.size() + 1, 0);
   for (std::size_t f = 0; f < sides.size(); ++f) {
     const std::int32_t n = sides[at(arrays.parents[f])];
     arrays.parents[f] = faces[at(arrays.parents[f])];
@@ -143,13 +143,9 @@ const FaceRun& Topology::run(std::int32_t f) const {
 }
 
 std::int64_t Topology::byteCount() const {
-  std::size_t bytes = a_.runs.size() * sizeof(FaceRun) + a_.boundaryTags.size() * sizeof(EdgeTag) +
-                      a_.vertexTags.size() * sizeof(VertexTag) + a_.creases.size() * sizeof(CreaseEdge);
-  for (const auto* array :
-       {&a_.vert, &a_.twin, &a_.face, &a_.faceOffsets, &a_.outgoing, &a_.parents, &a_.boundary, &a_.heldCorners}) {
-    bytes += array->size() * sizeof(std::int32_t);
-  }
-  return static_cast<std::int64_t>(bytes);
+  return byteSize(a_.runs) + byteSize(a_.vert) + byteSize(a_.twin) + byteSize(a_.face) + byteSize(a_.faceOffsets) +
+         byteSize(a_.outgoing) + byteSize(a_.parents) + byteSize(a_.boundary) + byteSize(a_.boundaryTags) +
+         byteSize(a_.vertexTags) + byteSize(a_.creases) + byteSize(a_.heldCorners);
 }
 
 std::vector<std::int32_t> boundaryRanks(const Topology& topology) {

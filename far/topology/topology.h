@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "far/base/array.h"
 #include "far/base/result.h"
 #include "far/topology/polygons.h"
 
@@ -66,12 +67,12 @@ struct TopologyArrays {
   std::int32_t vertexCount = 0;
   bool threeValent = false;               ///< closed, and every vertex has three edges
   std::vector<FaceRun> runs;              ///< cover all faces in order; full faces first
-  std::vector<std::int32_t> vert;         ///< per half-edge: the vertex it leaves
-  std::vector<std::int32_t> twin;         ///< per half-edge: the opposite half-edge, -1 on a boundary
-  std::vector<std::int32_t> face;         ///< per half-edge: its face
-  std::vector<std::int32_t> faceOffsets;  ///< per face (+1): its first half-edge
-  std::vector<std::int32_t> outgoing;     ///< per vertex: a half-edge leaving it; on a boundary the boundary one
-  std::vector<std::int32_t> parents;      ///< per face: the face, vertex or edge (its lower half-edge) of the level
+  Array<std::int32_t> vert;               ///< per half-edge: the vertex it leaves
+  Array<std::int32_t> twin;               ///< per half-edge: the opposite half-edge, -1 on a boundary
+  Array<std::int32_t> face;               ///< per half-edge: its face
+  Array<std::int32_t> faceOffsets;        ///< per face (+1): its first half-edge
+  Array<std::int32_t> outgoing;           ///< per vertex: a half-edge leaving it; on a boundary the boundary one
+  Array<std::int32_t> parents;            ///< per face: the face, vertex or edge (its lower half-edge) of the level
                                           ///< before that it was made from (the run says which); level 0: input face
   std::vector<std::int32_t> boundary;     ///< the boundary half-edges, ascending
   std::vector<EdgeTag> boundaryTags;      ///< one each

@@ -99,7 +99,7 @@ std::vector<std::int64_t> faceOrder(const Candidates& candidates, const std::vec
 void layOutFaces(const Candidates& candidates, const std::vector<std::int32_t>& sides,
                  const std::vector<std::int64_t>& order, TopologyArrays& child) {
   child.parents.resize(order.size());
-  child.faceOffsets.resize(order.size() + 1);
+  child.faceOffsets.resize(order.size() + 1, 0);
   for (std::size_t f = 0; f < order.size(); ++f) {
     const std::int64_t c = order[f];
     const FaceRun run{candidates.kind(c),           candidates.parentKind(c), sides[at(c)],

@@ -34,7 +34,7 @@ std::vector<std::int32_t> valences(const Topology& parent) {
 VertexBlocks sortByValence(const Topology& parent, TopologyArrays& child) {
   const std::vector<std::int32_t> valence = valences(parent);
   const std::int32_t largest = *std::max_element(valence.begin(), valence.end());
-  const std::vector<std::int32_t> order = Parallel::stableOrder(valence, largest + 1);
+  const Array<std::int32_t> order = Parallel::stableOrder(valence, largest + 1);
   VertexBlocks blocks{std::vector<std::int32_t>(order.size()), std::vector<std::int32_t>(order.size())};
   std::int32_t base = parent.halfEdgeCount();
   for (std::size_t i = 0; i < order.size(); ++i) {
