@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -28,6 +29,19 @@ void forEach(std::int64_t begin, std::int64_t end, const Body& body, std::int64_
   forRange(begin, end, grain, [&body](std::int64_t first, std::int64_t last) {
     for (std::int64_t i = first; i < last; ++i) body(i);
   });
+}
+
+/// The lowest i in [begin, end) for which test(i) holds, `end` if there is none.
+template <class Test>
+std::int64_t firstWhere(std::int64_t begin, std::int64_t end, const Test& test) {
+  std::atomic<std::int64_t> lowest{end};
+  forEach(begin, end, [&](std::int64_t i) {
+    std::int64_t seen = lowest.load(std::memory_order_relaxed);
+    if (i >= seen || !test(i)) return;
+    while (i < seen && !lowest.compare_exchange_weak(seen, i, std::memory_order_relaxed)) {
+    }
+  });
+  return lowest.load();
 }
 
 /// The number of threads a loop may use now.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "far/base/array.h"
 #include "far/base/result.h"
 #include "far/topology/topology.h"
 
@@ -29,8 +30,8 @@ enum class PointKind : std::uint8_t {
   besideEdge         ///< point inside a face next to one of its edges; halfEdge: that edge's in the face
 };
 struct NewPoint {
-  PointKind kind = PointKind::halfFaceCorner;
-  std::int32_t halfEdge = 0;  ///< of the parent level
+  PointKind kind;
+  std::int32_t halfEdge;  ///< of the parent level
 };
 
 /// The next level of connectivity and what its vertices are. The corner points of whole faces come first, in the order
@@ -40,7 +41,7 @@ struct NewPoint {
 struct SplitResult {
   Topology topology;
   std::int32_t cornerPoints = 0;
-  std::vector<NewPoint> otherPoints;
+  Array<NewPoint> otherPoints;
   /// Of splits that bring their stencils along, as those of other libraries do: how to get the new points. Then the
   /// level's vertices are its targets, and cornerPoints and otherPoints say nothing of them.
   std::shared_ptr<const LevelTable> table = {};

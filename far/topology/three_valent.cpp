@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
-
 #include "far/base/index.h"
 #include "far/base/parallel.h"
 
@@ -26,15 +24,9 @@ bool threeEdges(const Topology& topology, std::int32_t v) {
 
 std::int32_t firstNotThreeValent(const Topology& topology) {
   if (topology.threeValent()) return -1;
-  std::atomic<std::int32_t> lowest{topology.vertexCount()};
-  Parallel::forEach(0, topology.vertexCount(), [&](std::int64_t i) {
-    const auto v = static_cast<std::int32_t>(i);
-    if (v >= lowest.load(std::memory_order_relaxed) || threeEdges(topology, v)) return;
-    std::int32_t seen = lowest.load(std::memory_order_relaxed);
-    while (v < seen && !lowest.compare_exchange_weak(seen, v, std::memory_order_relaxed)) {
-    }
-  });
-  return lowest.load() == topology.vertexCount() ? -1 : lowest.load();
+  const std::int64_t lowest = Parallel::firstWhere(
+      0, topology.vertexCount(), [&](std::int64_t v) { return !threeEdges(topology, static_cast<std::int32_t>(v)); });
+  return lowest == topology.vertexCount() ? -1 : static_cast<std::int32_t>(lowest);
 }
 
 Result<void> checkThreeValent(const Topology& topology) {

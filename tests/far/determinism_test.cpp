@@ -5,6 +5,7 @@
 
 #include "far/base/parallel.h"
 #include "tests/support/refined.h"
+#include "tests/support/scheme_list.h"
 #include "tests/support/shapes.h"
 
 namespace honeycomb::Test {
@@ -48,6 +49,21 @@ TEST(Determinism, OneAndTwoThreadsBuildTheSameArrays) {
     EXPECT_EQ(one.lines(2), two.lines(2));
     EXPECT_EQ(one.faceOrigins(2), two.faceOrigins(2));
     EXPECT_EQ(one.vertexOrigins(2), two.vertexOrigins(2));
+  }
+}
+
+TEST(Determinism, OneAndTwoThreadsBuildTheSameArraysInEveryScheme) {
+  for (const ListedScheme& scheme : listedSchemes()) {
+    SCOPED_TRACE(scheme.name);
+    for (const PolyMesh& mesh : {torus(60, 50), grid(50, 40)}) {
+      const auto build = [&](int threads) {
+        const Parallel::ThreadLimit limit(threads);
+        return refinedBy(scheme, toTopology(mesh), 2);
+      };
+      const Far::Refinement one = build(1);
+      const Far::Refinement two = build(2);
+      for (std::int32_t k = 0; k <= one.levelCount(); ++k) expectSame(one.level(k), two.level(k));
+    }
   }
 }
 

@@ -2,6 +2,7 @@ set(honeycomb_far_tests
   bounds_test.cpp
   bricks_test.cpp
   circulant_form_test.cpp
+  closed_forms_test.cpp
   conversions_test.cpp
   counts_test.cpp
   creases_half_box_test.cpp

@@ -1,6 +1,7 @@
 #include "far/topology/splits/ambo.h"
 
 #include "far/base/index.h"
+#include "far/topology/splits/closed_forms.h"
 #include "far/topology/splits/slot_rule.h"
 
 /// Slots of half-edge h, with n and p the next and previous half-edge and e(h) the vertex of its edge, which has the
@@ -76,10 +77,14 @@ Result<SplitResult> apply(const Topology& parent) {
   const auto fits = checkSlots(2 * std::int64_t{parent.halfEdgeCount()} + parent.boundaryEdgeCount(), parent);
   if (!fits) return tl::unexpected(fits.error());
   if (const auto sound = checkVertexFaces(parent); !sound) return tl::unexpected(sound.error());
-  return assemble(AmboSlots(parent));
+  return parent.closed() ? amboClosed(parent) : amboBySlots(parent);
 }
 
 }  // namespace
+
+SplitResult amboBySlots(const Topology& parent) {
+  return assemble(AmboSlots(parent));
+}
 
 Split ambo() {
   return {"ambo", apply, grow};

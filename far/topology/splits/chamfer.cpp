@@ -1,6 +1,7 @@
 #include "far/topology/splits/chamfer.h"
 
 #include "far/topology/splits/chamfer_slots.h"
+#include "far/topology/splits/closed_forms.h"
 
 namespace honeycomb::Far {
 
@@ -21,10 +22,14 @@ Census grow(const Census& p) {
 Result<SplitResult> apply(const Topology& parent) {
   const auto fits = checkSlots(4 * std::int64_t{parent.halfEdgeCount()}, parent);
   if (!fits) return tl::unexpected(fits.error());
-  return assemble(ChamferSlots(parent));
+  return parent.closed() ? chamferClosed(parent) : chamferBySlots(parent);
 }
 
 }  // namespace
+
+SplitResult chamferBySlots(const Topology& parent) {
+  return assemble(ChamferSlots(parent));
+}
 
 Split chamfer() {
   return {"chamfer", apply, grow};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "far/base/index.h"
+#include "far/topology/splits/closed_forms.h"
 #include "far/topology/splits/slot_rule.h"
 
 /// Slot h, of half-edge h of vertex v: from the vertex of face(h) to that of the next face round v, in the face of v.
@@ -54,6 +55,7 @@ class DualSlots : public SlotRule {
 
 Result<void> check(const Topology& parent) {
   if (const auto sound = checkVertexFaces(parent); !sound) return sound;
+  if (parent.closed()) return {};
   bool any = false;
   for (std::int32_t v = 0; v < parent.vertexCount() && !any; ++v) any = !parent.onBoundary(v);
   if (!any) {
@@ -84,10 +86,14 @@ Census grow(const Census& p) {
 
 Result<SplitResult> apply(const Topology& parent) {
   if (const auto sound = check(parent); !sound) return tl::unexpected(sound.error());
-  return assemble(DualSlots(parent));
+  return parent.closed() ? dualClosed(parent) : dualBySlots(parent);
 }
 
 }  // namespace
+
+SplitResult dualBySlots(const Topology& parent) {
+  return assemble(DualSlots(parent));
+}
 
 Split dualSplit() {
   return {"dual", apply, grow};

@@ -1,6 +1,7 @@
 #include "far/topology/splits/expand.h"
 
 #include "far/base/index.h"
+#include "far/topology/splits/closed_forms.h"
 #include "far/topology/splits/slot_rule.h"
 
 /// Slots of half-edge h of vertex v, with n and p the next and previous half-edge of h and t its twin; x_h is the
@@ -80,10 +81,14 @@ Result<SplitResult> apply(const Topology& parent) {
   const auto fits = checkSlots(4 * std::int64_t{parent.halfEdgeCount()}, parent);
   if (!fits) return tl::unexpected(fits.error());
   if (const auto sound = checkVertexFaces(parent); !sound) return tl::unexpected(sound.error());
-  return assemble(ExpandSlots(parent));
+  return parent.closed() ? expandClosed(parent) : expandBySlots(parent);
 }
 
 }  // namespace
+
+SplitResult expandBySlots(const Topology& parent) {
+  return assemble(ExpandSlots(parent));
+}
 
 Split expand() {
   return {"expand", apply, grow};

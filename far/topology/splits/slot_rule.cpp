@@ -205,17 +205,18 @@ Result<void> checkSlots(std::int64_t slots, const Topology& parent) {
 
 Result<void> checkVertexFaces(const Topology& parent) {
   if (parent.threeValent()) return {};
-  for (std::int32_t v = 0; v < parent.vertexCount(); ++v) {
-    if (parent.onBoundary(v)) continue;
+  const std::int64_t lowest = Parallel::firstWhere(0, parent.vertexCount(), [&](std::int64_t i) {
+    const auto v = static_cast<std::int32_t>(i);
+    if (parent.onBoundary(v)) return false;
     const std::int32_t first = parent.outgoing(v);
     const std::int32_t second = parent.nextOutgoing(first);
-    if (second != first && parent.nextOutgoing(second) != first) continue;
-    return fail(ErrorCode::invalidMesh,
-                fmt::format("{} has {} faces round it, too few to become a face; dissolve it",
-                            elementName(ElementKind::vertex, v), parent.facesAt(v)),
-                v, ElementKind::vertex);
-  }
-  return {};
+    return second == first || parent.nextOutgoing(second) == first;
+  });
+  if (lowest == parent.vertexCount()) return {};
+  return fail(ErrorCode::invalidMesh,
+              fmt::format("{} has {} faces round it, too few to become a face; dissolve it",
+                          elementName(ElementKind::vertex, lowest), parent.facesAt(static_cast<std::int32_t>(lowest))),
+              lowest, ElementKind::vertex);
 }
 
 }  // namespace honeycomb::Far

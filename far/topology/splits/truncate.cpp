@@ -1,6 +1,7 @@
 #include "far/topology/splits/truncate.h"
 
 #include "far/base/index.h"
+#include "far/topology/splits/closed_forms.h"
 #include "far/topology/splits/slot_rule.h"
 
 /// Slots of half-edge h, with n the next half-edge and t its twin; x_h = h is the point of its edge next to the vertex
@@ -95,10 +96,14 @@ Result<SplitResult> apply(const Topology& parent) {
   const auto fits = checkSlots(3 * std::int64_t{parent.halfEdgeCount()} + parent.boundaryEdgeCount(), parent);
   if (!fits) return tl::unexpected(fits.error());
   if (const auto sound = checkVertexFaces(parent); !sound) return tl::unexpected(sound.error());
-  return assemble(TruncateSlots(parent));
+  return parent.closed() ? truncateClosed(parent) : truncateBySlots(parent);
 }
 
 }  // namespace
+
+SplitResult truncateBySlots(const Topology& parent) {
+  return assemble(TruncateSlots(parent));
+}
 
 Split truncate() {
   return {"truncate", apply, grow};
