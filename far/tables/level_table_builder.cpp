@@ -1,5 +1,6 @@
 #include "far/tables/level_table_builder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -34,6 +35,7 @@ class Builder {
   }
 
   LevelTable build() {
+    table_.indices.reserve(at(scheme_.entriesPerVertex) * at(split_.topology.vertexCount()));
     for (const FaceRun& run : split_.topology.runs()) {
       // The corner points are the first half-edges of the level: those of its whole face-faces.
       if (run.firstHalfEdge < split_.cornerPoints) addFaces(run);
@@ -76,11 +78,11 @@ class Builder {
   std::int32_t addCorners(const FaceRun& run) {
     const std::int32_t firstIndex = indexCount();
     table_.indices.resize(at(firstIndex) + at(run.faceCount) * at(run.sides));
-    Parallel::forEach(0, run.faceCount, [&](std::int64_t g) {
-      const std::int32_t face = split_.topology.parents()[at(run.firstFace + g)];
-      const std::int32_t from = parent_.faceOffsets()[at(face)];
-      for (std::int32_t i = 0; i < run.sides; ++i) {
-        table_.indices[at(firstIndex) + at(g) * at(run.sides) + at(i)] = parent_.vert(from + i);
+    Parallel::forRange(0, run.faceCount, 1024, [&](std::int64_t begin, std::int64_t end) {
+      auto index = table_.indices.begin() + firstIndex + begin * run.sides;
+      for (std::int64_t g = begin; g < end; ++g) {
+        const std::int32_t face = split_.topology.parents()[at(run.firstFace + g)];
+        index = std::copy_n(parent_.vert().begin() + parent_.faceOffsets()[at(face)], run.sides, index);
       }
     });
     return firstIndex;
@@ -144,7 +146,7 @@ class Builder {
 
   /// Points that are not corner points of whole faces: mirrored half faces one by one, the rest row by row.
   void addOtherPoints() {
-    const std::vector<NewPoint>& points = split_.otherPoints;
+    const Array<NewPoint>& points = split_.otherPoints;
     const auto mirrored = [&](std::size_t i) {
       return points[i].kind == PointKind::halfFaceCorner && scheme_.halfFaces == HalfFaces::mirrored;
     };

@@ -1,6 +1,7 @@
 #include "far/tables/row_writer.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "far/base/index.h"
 #include "far/base/parallel.h"
@@ -15,88 +16,156 @@ constexpr std::int64_t kRowsPerPiece = 2048;
 /// More runs than this in a block would be more dispatches than the weights saved are worth.
 constexpr std::int64_t kMostRuns = 16;
 
-}  // namespace
-
-std::int64_t RowWriter::Block::width(std::int64_t row) const {
-  return offsets[at(row) + 1] - offsets[at(row)];
+bool sameWeights(const Row& row, const double* weights, std::int32_t width) {
+  return row.size() == at(width) && std::equal(row.begin(), row.end(), weights, [](const Weight& entry, double weight) {
+           return entry.weight == weight;
+         });
 }
 
-bool RowWriter::Block::sameWeights(std::int64_t a, std::int64_t b) const {
-  return width(a) == width(b) && std::equal(weights.begin() + offsets[at(a)], weights.begin() + offsets[at(a) + 1],
-                                            weights.begin() + offsets[at(b)]);
+/// The runs of equal weights in a piece of a block.
+struct Piece {
+  struct Run {
+    std::int64_t begin;
+    std::int32_t width;
+    std::size_t firstWeight;
+  };
+  std::vector<Run> runs;
+  std::vector<double> weights;
+
+  void add(std::int64_t i, const Row& row) {
+    if (!runs.empty() && sameWeights(row, weights.data() + runs.back().firstWeight, runs.back().width)) return;
+    runs.push_back({i, static_cast<std::int32_t>(row.size()), weights.size()});
+    for (const Weight& entry : row) weights.push_back(entry.weight);
+  }
+};
+
+/// Calls visit(i, row) for the rows of a piece, in order.
+template <class Visit>
+void visitRows(std::int64_t begin, std::int64_t end, const RowWriter::MakeRow& makeRow, const Visit& visit) {
+  Row row;
+  for (std::int64_t i = begin; i < end; ++i) {
+    row.clear();
+    makeRow(i, row);
+    visit(i, row);
+  }
 }
 
-RowWriter::Block RowWriter::compute(std::int64_t count, const MakeRow& makeRow) {
-  const std::int64_t pieceCount = (count + kRowsPerPiece - 1) / kRowsPerPiece;
-  std::vector<Block> pieces(at(pieceCount));
+std::vector<Piece> survey(std::int64_t count, const RowWriter::MakeRow& makeRow) {
+  std::vector<Piece> pieces(at((count + kRowsPerPiece - 1) / kRowsPerPiece));
   Parallel::forEach(
-      0, pieceCount,
+      0, static_cast<std::int64_t>(pieces.size()),
       [&](std::int64_t p) {
-        Block& piece = pieces[at(p)];
-        Row row;
-        for (std::int64_t i = p * kRowsPerPiece; i < std::min(count, (p + 1) * kRowsPerPiece); ++i) {
-          row.clear();
-          makeRow(i, row);
-          for (const Weight& entry : row) {
-            piece.indices.push_back(entry.point);
-            piece.weights.push_back(entry.weight);
-          }
-          piece.offsets.push_back(static_cast<std::int64_t>(piece.indices.size()));
-        }
+        visitRows(p * kRowsPerPiece, std::min(count, (p + 1) * kRowsPerPiece), makeRow,
+                  [&](std::int64_t i, const Row& row) { pieces[at(p)].add(i, row); });
       },
       1);
-  if (pieceCount == 1) return std::move(pieces.front());
-  Block block;
-  block.offsets.reserve(at(count) + 1);
-  for (const Block& piece : pieces) {
-    const std::int64_t base = block.offsets.back();
-    for (std::size_t r = 1; r < piece.offsets.size(); ++r) block.offsets.push_back(base + piece.offsets[r]);
-    block.indices.insert(block.indices.end(), piece.indices.begin(), piece.indices.end());
-    block.weights.insert(block.weights.end(), piece.weights.begin(), piece.weights.end());
-  }
-  return block;
+  return pieces;
 }
+
+}  // namespace
 
 void RowWriter::add(std::int32_t firstOutput, std::int64_t count, const MakeRow& makeRow) {
-  const Block block = compute(count, makeRow);
-  const std::int64_t shortest = std::max<std::int64_t>(kShortestDense, count / kMostRuns);
-  std::int64_t loose = 0;  // first row not written yet
-  for (std::int64_t begin = 0; begin < count;) {
-    std::int64_t end = begin + 1;
-    while (end < count && block.sameWeights(begin, end)) ++end;
-    if (end - begin >= shortest && block.width(begin) <= kWidestDense) {
-      addLoose(block, loose, begin, firstOutput);
-      addDense(block, begin, end, firstOutput);
-      loose = end;
+  if (count == 0 || addUniform(firstOutput, count, makeRow)) return;
+  const std::vector<Piece> pieces = survey(count, makeRow);
+  std::vector<Run> runs;
+  for (const Piece& piece : pieces) {
+    for (const Piece::Run& run : piece.runs) {
+      const double* weights = piece.weights.data() + run.firstWeight;
+      const bool same = !runs.empty() && runs.back().width == run.width &&
+                        std::equal(weights, weights + run.width, runs.back().weights);
+      if (!same) runs.push_back({run.begin, count, weights, run.width});
+      if (!same && runs.size() > 1) runs[runs.size() - 2].end = run.begin;
     }
-    begin = end;
   }
-  addLoose(block, loose, count, firstOutput);
+  place(runs, count, firstOutput);
+  write(runs, count, firstOutput, makeRow);
 }
 
-void RowWriter::addDense(const Block& block, std::int64_t begin, std::int64_t end, std::int32_t firstOutput) {
-  const std::int64_t from = block.offsets[at(begin)];
-  const std::int64_t width = block.width(begin);
-  table_.dense.push_back({static_cast<std::int32_t>(width), static_cast<std::int32_t>(end - begin),
-                          static_cast<std::int32_t>(table_.indices.size()),
-                          firstOutput + static_cast<std::int32_t>(begin),
+/// Writes the rows as one batch if their weights are equal, which it finds out on the way: as they nearly always are
+/// where the first and the last row's are.
+bool RowWriter::addUniform(std::int32_t firstOutput, std::int64_t count, const MakeRow& makeRow) {
+  Row first;
+  Row last;
+  makeRow(0, first);
+  makeRow(count - 1, last);
+  std::vector<double> weights;
+  for (const Weight& entry : first) weights.push_back(entry.weight);
+  const auto width = static_cast<std::int32_t>(weights.size());
+  if (count < kShortestDense || width > kWidestDense || !sameWeights(last, weights.data(), width)) return false;
+  const std::size_t firstIndex = table_.indices.size();
+  table_.indices.resize(firstIndex + at(count) * at(width));
+  std::atomic<bool> uniform{true};
+  Parallel::forRange(0, count, kRowsPerPiece, [&](std::int64_t begin, std::int64_t end) {
+    std::int32_t* index = table_.indices.data() + firstIndex + at(begin) * at(width);
+    bool same = true;
+    visitRows(begin, end, makeRow, [&](std::int64_t, const Row& row) {
+      same = same && sameWeights(row, weights.data(), width);
+      if (!same) return;
+      for (const Weight& entry : row) *index++ = entry.point;
+    });
+    if (!same) uniform.store(false, std::memory_order_relaxed);
+  });
+  table_.indices.resize(firstIndex + (uniform ? at(count) * at(width) : 0));
+  if (uniform) addDense({0, count, weights.data(), width, true, firstIndex, 0}, firstOutput);
+  return uniform;
+}
+
+void RowWriter::addDense(const Run& run, std::int32_t firstOutput) {
+  table_.dense.push_back({run.width, static_cast<std::int32_t>(run.end - run.begin),
+                          static_cast<std::int32_t>(run.firstIndex), firstOutput + static_cast<std::int32_t>(run.begin),
                           static_cast<std::int32_t>(table_.weights.size())});
-  table_.indices.insert(table_.indices.end(), block.indices.begin() + from,
-                        block.indices.begin() + block.offsets[at(end)]);
-  table_.weights.insert(table_.weights.end(), block.weights.begin() + from, block.weights.begin() + from + width);
+  table_.weights.insert(table_.weights.end(), run.weights, run.weights + run.width);
 }
 
-void RowWriter::addLoose(const Block& block, std::int64_t begin, std::int64_t end, std::int32_t firstOutput) {
-  LooseRows& loose = table_.loose;
-  const std::int32_t base = loose.offsets.back() - static_cast<std::int32_t>(block.offsets[at(begin)]);
-  for (std::int64_t r = begin; r < end; ++r) {
-    loose.outputs.push_back(firstOutput + static_cast<std::int32_t>(r));
-    loose.offsets.push_back(base + static_cast<std::int32_t>(block.offsets[at(r) + 1]));
+/// Decides which runs are dense, and makes room for all.
+void RowWriter::place(std::vector<Run>& runs, std::int64_t count, std::int32_t firstOutput) {
+  const std::int64_t shortest = std::max<std::int64_t>(kShortestDense, count / kMostRuns);
+  std::size_t denseIndices = table_.indices.size();
+  std::size_t looseIndices = looseIndices_.size();
+  std::size_t looseRows = table_.loose.outputs.size();
+  for (Run& run : runs) {
+    const std::size_t rows = at(run.end - run.begin);
+    run.dense = run.end - run.begin >= shortest && run.width <= kWidestDense;
+    std::size_t& indices = run.dense ? denseIndices : looseIndices;
+    run.firstIndex = indices;
+    run.firstRow = looseRows;
+    indices += rows * at(run.width);
+    if (run.dense) {
+      addDense(run, firstOutput);
+    } else {
+      looseRows += rows;
+    }
   }
-  looseIndices_.insert(looseIndices_.end(), block.indices.begin() + block.offsets[at(begin)],
-                       block.indices.begin() + block.offsets[at(end)]);
-  looseWeights_.insert(looseWeights_.end(), block.weights.begin() + block.offsets[at(begin)],
-                       block.weights.begin() + block.offsets[at(end)]);
+  table_.indices.resize(denseIndices);
+  table_.loose.outputs.resize(looseRows);
+  table_.loose.offsets.resize(looseRows + 1);
+  looseIndices_.resize(looseIndices);
+  looseWeights_.resize(looseIndices);
+}
+
+void RowWriter::write(const std::vector<Run>& runs, std::int64_t count, std::int32_t firstOutput,
+                      const MakeRow& makeRow) {
+  Parallel::forRange(0, count, kRowsPerPiece, [&](std::int64_t begin, std::int64_t end) {
+    auto run = std::prev(std::upper_bound(runs.begin(), runs.end(), begin,
+                                          [](std::int64_t row, const Run& r) { return row < r.begin; }));
+    visitRows(begin, end, makeRow, [&](std::int64_t i, const Row& row) {
+      while (i >= run->end) ++run;
+      const std::int64_t r = i - run->begin;
+      if (!run->dense) return writeLoose(*run, r, row, firstOutput + static_cast<std::int32_t>(i));
+      std::int32_t* index = table_.indices.data() + run->firstIndex + at(r) * at(run->width);
+      for (const Weight& entry : row) *index++ = entry.point;
+    });
+  });
+}
+
+void RowWriter::writeLoose(const Run& run, std::int64_t row, const Row& entries, std::int32_t output) {
+  std::size_t entry = run.firstIndex + at(row) * at(run.width);
+  for (const Weight& e : entries) {
+    looseIndices_[entry] = e.point;
+    looseWeights_[entry++] = e.weight;
+  }
+  table_.loose.outputs[run.firstRow + at(row)] = output;
+  table_.loose.offsets[run.firstRow + at(row) + 1] = static_cast<std::int32_t>(entry);
 }
 
 void RowWriter::finish() {
