@@ -90,7 +90,7 @@ class Replacement {
     loose.firstWeight = old.firstWeight;
     table_.indices.resize(at(old.firstIndex));
     table_.weights.resize(at(old.firstWeight));
-    table_.indices.insert(table_.indices.end(), indices.begin(), indices.end());
+    table_.indices.append(indices.begin(), indices.end());
     table_.weights.insert(table_.weights.end(), weights.begin(), weights.end());
     table_.loose = std::move(loose);
   }

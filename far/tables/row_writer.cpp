@@ -171,7 +171,7 @@ void RowWriter::writeLoose(const Run& run, std::int64_t row, const Row& entries,
 void RowWriter::finish() {
   table_.loose.firstIndex = static_cast<std::int32_t>(table_.indices.size());
   table_.loose.firstWeight = static_cast<std::int32_t>(table_.weights.size());
-  table_.indices.insert(table_.indices.end(), looseIndices_.begin(), looseIndices_.end());
+  table_.indices.append(looseIndices_.begin(), looseIndices_.end());
   table_.weights.insert(table_.weights.end(), looseWeights_.begin(), looseWeights_.end());
 }
 

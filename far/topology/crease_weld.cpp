@@ -235,7 +235,7 @@ class Weld {
     if (!same) arrays_.runs.push_back({loop.kind, loop.parent, sides, face, arrays_.faceOffsets.back(), 0});
     ++arrays_.runs.back().faceCount;
     arrays_.faceOffsets.push_back(arrays_.faceOffsets.back() + sides);
-    arrays_.face.insert(arrays_.face.end(), loop.halfEdges.size(), face);
+    arrays_.face.resize(arrays_.face.size() + loop.halfEdges.size(), face);
     result_.faceOf.push_back(loop.face);
     result_.firstOf.insert(result_.firstOf.end(), loop.halfEdges.begin(), loop.halfEdges.end());
     if (loop.closed > 0) result_.faces.push_back({face, loop.closed});
