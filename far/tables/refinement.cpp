@@ -58,12 +58,12 @@ std::int64_t levelBytes(const Census& census, std::int64_t weights, const Scheme
   return topology + tags + table + kWeight * weights;
 }
 
-/// What making a level takes besides it, a half-edge: the closed form of zip keeps one number, other splits the slots,
-/// the order of their candidates and where each went. Rows that no circulant makes are computed in pieces and joined.
+/// What making a level takes besides it, a half-edge: the closed forms keep one number, splits along a boundary the
+/// slots, the order of their candidates and where each went. Rows that no circulant makes are computed in pieces and joined.
 std::int64_t scratchBytes(const Census& census, const Scheme* scheme) {
   constexpr std::int64_t kClosedForm = 4, kSlots = 20, kRowEntry = 2 * (sizeof(std::int32_t) + sizeof(double));
   if (scheme == nullptr) return 0;
-  const bool closedForm = census.boundaryEdges == 0 && scheme->split.name == "zip";
+  const bool closedForm = census.boundaryEdges == 0;
   const std::int64_t rows =
       scheme->entriesPerVertex > 1 ? kRowEntry * scheme->entriesPerVertex * census.vertices : std::int64_t{0};
   return (closedForm ? kClosedForm : kSlots) * census.halfEdges + rows;
