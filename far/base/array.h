@@ -115,10 +115,4 @@ class Array {
   std::size_t capacity_ = 0;
 };
 
-/// Bytes of a container's elements.
-template <class Container>
-std::int64_t byteSize(const Container& c) {
-  return static_cast<std::int64_t>(c.size() * sizeof(typename Container::value_type));
-}
-
 }  // namespace honeycomb

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 namespace honeycomb {
 
 /// Bytes of the elements of an array.
-template <class T>
-std::int64_t bytes(const std::vector<T>& v) {
-  return static_cast<std::int64_t>(v.size() * sizeof(T));
+template <class Container>
+std::int64_t bytes(const Container& c) {
+  return static_cast<std::int64_t>(c.size() * sizeof(typename Container::value_type));
 }
 
 }  // namespace honeycomb

@@ -6,12 +6,12 @@
 namespace honeycomb::Far {
 
 std::int64_t LevelTable::byteCount() const {
-  return byteSize(circulants) + byteSize(projected) + byteSize(dense) + byteSize(loose.outputs) +
-         byteSize(loose.offsets) + byteSize(indices) + byteSize(weights) + byteSize(weightsSingle);
+  return bytes(circulants) + bytes(projected) + bytes(dense) + bytes(loose.outputs) +
+         bytes(loose.offsets) + bytes(indices) + bytes(weights) + bytes(weightsSingle);
 }
 
 std::int64_t LimitRows::byteCount() const {
-  return byteSize(batches) + byteSize(elements) + byteSize(indices) + byteSize(weights) + byteSize(weightsSingle);
+  return bytes(batches) + bytes(elements) + bytes(indices) + bytes(weights) + bytes(weightsSingle);
 }
 
 std::int64_t LimitTable::byteCount() const {

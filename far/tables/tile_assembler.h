@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "far/base/array.h"
 #include "far/tables/tile_clusters.h"
 #include "far/tables/tile_normal_plan.h"
 #include "far/tables/tile_sharing.h"
@@ -33,7 +34,7 @@ class TilePlan {
  private:
   struct Lists {
     std::vector<std::int32_t> offsets;  // per tile
-    std::vector<std::int32_t> chains;
+    Array<std::int32_t> chains;
   };
   void listOwned();
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "far/base/bytes.h"
 #include "far/base/index.h"
 #include "far/base/parallel.h"
 #include "far/topology/crease_edges.h"
@@ -143,9 +144,9 @@ const FaceRun& Topology::run(std::int32_t f) const {
 }
 
 std::int64_t Topology::byteCount() const {
-  return byteSize(a_.runs) + byteSize(a_.vert) + byteSize(a_.twin) + byteSize(a_.face) + byteSize(a_.faceOffsets) +
-         byteSize(a_.outgoing) + byteSize(a_.parents) + byteSize(a_.boundary) + byteSize(a_.boundaryTags) +
-         byteSize(a_.vertexTags) + byteSize(a_.creases) + byteSize(a_.heldCorners);
+  return bytes(a_.runs) + bytes(a_.vert) + bytes(a_.twin) + bytes(a_.face) + bytes(a_.faceOffsets) +
+         bytes(a_.outgoing) + bytes(a_.parents) + bytes(a_.boundary) + bytes(a_.boundaryTags) + bytes(a_.vertexTags) +
+         bytes(a_.creases) + bytes(a_.heldCorners);
 }
 
 std::vector<std::int32_t> boundaryRanks(const Topology& topology) {

@@ -48,7 +48,8 @@ Result<std::unique_ptr<const Foreign::StencilTable>> toOpenSubdiv(const Far::Ste
   std::vector<int> sizes(offsets.size());
   std::transform(table.offsets.begin() + 1, table.offsets.end(), offsets.begin(), sizes.begin(), std::minus<>());
   const auto weights = table.weightsAs<float>(which);
-  return std::make_unique<const FilledTable>(table.sourceCount, offsets, sizes, table.indices,
+  return std::make_unique<const FilledTable>(table.sourceCount, offsets, sizes,
+                                             std::vector<int>(table.indices.begin(), table.indices.end()),
                                              std::vector<float>(weights.begin(), weights.end()));
 }
 

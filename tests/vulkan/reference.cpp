@@ -31,8 +31,8 @@ struct WritableComponent {
   }
 };
 
-template <class T>
-T at(const std::vector<T>& values, std::int64_t i) {
+template <class Container>
+auto at(const Container& values, std::int64_t i) {
   return values[static_cast<std::size_t>(i)];
 }
 
