@@ -6,8 +6,8 @@
 namespace honeycomb::Far {
 
 std::int64_t LevelTable::byteCount() const {
-  return bytes(circulants) + bytes(projected) + bytes(dense) + bytes(loose.outputs) +
-         bytes(loose.offsets) + bytes(indices) + bytes(weights) + bytes(weightsSingle);
+  return bytes(circulants) + bytes(projected) + bytes(dense) + bytes(loose.outputs) + bytes(loose.offsets) +
+         bytes(indices) + bytes(weights) + bytes(weightsSingle);
 }
 
 std::int64_t LimitRows::byteCount() const {

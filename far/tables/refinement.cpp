@@ -59,7 +59,8 @@ std::int64_t levelBytes(const Census& census, std::int64_t weights, const Scheme
 }
 
 /// What making a level takes besides it, a half-edge: the closed forms keep one number, splits along a boundary the
-/// slots, the order of their candidates and where each went. Rows that no circulant makes are computed in pieces and joined.
+/// slots, the order of their candidates and where each went. Rows that no circulant makes are computed in pieces and
+/// joined.
 std::int64_t scratchBytes(const Census& census, const Scheme* scheme) {
   constexpr std::int64_t kClosedForm = 4, kSlots = 20, kRowEntry = 2 * (sizeof(std::int32_t) + sizeof(double));
   if (scheme == nullptr) return 0;

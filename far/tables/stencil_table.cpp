@@ -137,8 +137,8 @@ LevelTable StencilTable::asLevelTable(StencilWeights which) const {
 }
 
 std::int64_t StencilTable::byteCount() const {
-  return bytes(outputs) + bytes(offsets) + bytes(indices) + bytes(weights) + bytes(weightsSingle) +
-         bytes(tangent1) + bytes(tangent2) + bytes(tangent1Single) + bytes(tangent2Single);
+  return bytes(outputs) + bytes(offsets) + bytes(indices) + bytes(weights) + bytes(weightsSingle) + bytes(tangent1) +
+         bytes(tangent2) + bytes(tangent1Single) + bytes(tangent2Single);
 }
 
 }  // namespace honeycomb::Far

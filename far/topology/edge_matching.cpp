@@ -98,7 +98,7 @@ EdgeMatching matchEdges(const Polygons& polygons, std::span<const std::int32_t> 
 }
 
 Array<std::int32_t> outgoingCorners(std::span<const std::int32_t> vert, std::span<const std::int32_t> twin,
-                                          std::int32_t vertexCount) {
+                                    std::int32_t vertexCount) {
   Array<std::int32_t> outgoing(at(vertexCount), -1);
   for (std::size_t c = vert.size(); c-- > 0;) {
     std::int32_t& h = outgoing[at(vert[c])];
