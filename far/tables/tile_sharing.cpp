@@ -1,11 +1,87 @@
 #include "far/tables/tile_sharing.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "far/base/index.h"
 
 namespace honeycomb::Far {
+
+namespace {
+
+/// A small table of some units of a level, ascending, their outputs numbered one after the other.
+class TableOfUnits {
+ public:
+  /// `place`: the number that a point of the level before has for the table.
+  TableOfUnits(const LevelUnits& level, std::function<std::int32_t(std::int32_t)> place)
+      : level_(level), place_(std::move(place)) {
+    table_.weights = level.table->weights;
+    table_.weightsSingle = level.table->weightsSingle;
+  }
+
+  LevelTable make(const std::vector<std::int32_t>& units) {
+    // Loose rows are the last units of a level.
+    const auto isLoose = [&](std::int32_t unit) { return level_.batchOf(unit).kind == UnitBatch::Kind::loose; };
+    const auto loose = std::ranges::find_if(units, isLoose);
+    std::for_each(units.begin(), loose, [&](std::int32_t unit) { addUnit(level_.batchOf(unit), unit); });
+    table_.loose.firstIndex = static_cast<std::int32_t>(table_.indices.size());
+    table_.loose.firstWeight = static_cast<std::int32_t>(table_.weights.size());
+    std::for_each(loose, units.end(), [&](std::int32_t unit) { addLoose(unit - level_.batchOf(unit).firstUnit); });
+    table_.targetCount = outputs_;
+    return std::move(table_);
+  }
+
+ private:
+  /// One unit more of a batch like `like`, which is opened for the first.
+  template <class Batch>
+  void extend(const UnitBatch& batch, std::vector<Batch>& batches, Batch like, std::int32_t Batch::*count) {
+    if (last_ != &batch) {
+      like.*count = 0;
+      like.firstIndex = static_cast<std::int32_t>(table_.indices.size());
+      like.firstOutput = outputs_;
+      batches.push_back(like);
+    }
+    ++(batches.back().*count);
+  }
+
+  void addUnit(const UnitBatch& batch, std::int32_t unit) {
+    const LevelTable& from = *level_.table;
+    if (batch.kind == UnitBatch::Kind::circulant) {
+      extend(batch, table_.circulants, from.circulants[at(batch.batch)], &CirculantBatch::faceCount);
+    } else if (batch.kind == UnitBatch::Kind::dense) {
+      extend(batch, table_.dense, from.dense[at(batch.batch)], &DenseRows::rowCount);
+    } else {
+      ProjectedFace face = from.projected[at(batch.batch)];
+      face.firstIndex = static_cast<std::int32_t>(table_.indices.size());
+      face.firstOutput = outputs_;
+      table_.projected.push_back(face);
+    }
+    for (const std::int32_t point : level_.sources(batch, unit)) table_.indices.push_back(place_(point));
+    outputs_ += batch.outputs;
+    last_ = &batch;
+  }
+
+  /// A loose row's weights stand at the place of its indices, so both are laid out anew.
+  void addLoose(std::int32_t row) {
+    const LevelTable& from = *level_.table;
+    for (std::int32_t b = from.loose.offsets[at(row)]; b < from.loose.offsets[at(row) + 1]; ++b) {
+      table_.indices.push_back(place_(from.indices[at(from.loose.firstIndex + b)]));
+      table_.weights.push_back(from.weights[at(from.loose.firstWeight + b)]);
+      table_.weightsSingle.push_back(from.weightsSingle[at(from.loose.firstWeight + b)]);
+    }
+    table_.loose.outputs.push_back(outputs_++);
+    table_.loose.offsets.push_back(static_cast<std::int32_t>(table_.indices.size()) - table_.loose.firstIndex);
+  }
+
+  const LevelUnits& level_;
+  std::function<std::int32_t(std::int32_t)> place_;
+  LevelTable table_;
+  std::int32_t outputs_ = 0;
+  const UnitBatch* last_ = nullptr;
+};
+
+}  // namespace
 
 std::vector<std::vector<std::int32_t>> largeUnits(const TileUnits& units) {
   std::vector<std::vector<std::int32_t>> large;
@@ -71,9 +147,14 @@ std::vector<std::int32_t> TileSharing::sources(std::int32_t k, const Units& unit
 
 void TileSharing::addSet(std::int32_t k, const Units& units, const Units& large) {
   const LevelUnits& level = units_.level(k);
+  const bool fromRoot = k == units_.root() + 1;
+  const auto place = [&](std::int32_t point) {
+    return fromRoot ? point : setPoint(k - 1, point) - sets_.back().firstPoint;
+  };
   SharedPoints set;
   set.firstPoint = pointCount_;
-  addTable(k, units, set.table);
+  if (!units.empty()) set.table = TableOfUnits(level, place).make(units);
+  set.table.sourceCount = fromRoot ? units_.rootPoints() : sets_.back().table.targetCount;
   std::vector<std::int32_t> numberOf(at(level.table->targetCount), -1);
   std::vector<std::int32_t> imported(large.empty() ? 0 : numberOf.size(), -1);
   std::int32_t number = 0;
@@ -91,87 +172,6 @@ void TileSharing::addSet(std::int32_t k, const Units& units, const Units& large)
   setNumbers_.push_back(std::move(numberOf));
   numbers_.push_back(std::move(imported));
   sets_.push_back(std::move(set));
-}
-
-/// The rows of some units, ascending, their outputs numbered one after the other. Weights stay where they are.
-void TileSharing::addTable(std::int32_t k, const Units& units, LevelTable& table) const {
-  const LevelUnits& level = units_.level(k);
-  const bool fromRoot = k == units_.root() + 1;
-  const auto place = [&](std::int32_t point) {
-    return fromRoot ? point : setPoint(k - 1, point) - sets_.back().firstPoint;
-  };
-  table.sourceCount = fromRoot ? units_.rootPoints() : sets_.back().table.targetCount;
-  table.weights = level.table->weights;
-  table.weightsSingle = level.table->weightsSingle;
-  const auto addSources = [&](const UnitBatch& batch, std::int32_t unit) {
-    for (const std::int32_t point : level.sources(batch, unit)) table.indices.push_back(place(point));
-  };
-  std::int32_t output = 0;
-  const UnitBatch* last = nullptr;
-  const auto addUnit = [&](const UnitBatch& batch, std::int32_t unit) {
-    const bool opens = last != &batch;
-    const auto firstIndex = static_cast<std::int32_t>(table.indices.size());
-    switch (batch.kind) {
-      case UnitBatch::Kind::circulant: {
-        if (opens) {
-          CirculantBatch faces = level.table->circulants[at(batch.batch)];
-          faces.faceCount = 0;
-          faces.firstIndex = firstIndex;
-          faces.firstOutput = output;
-          table.circulants.push_back(faces);
-        }
-        ++table.circulants.back().faceCount;
-        break;
-      }
-      case UnitBatch::Kind::dense: {
-        if (opens) {
-          DenseRows rows = level.table->dense[at(batch.batch)];
-          rows.rowCount = 0;
-          rows.firstIndex = firstIndex;
-          rows.firstOutput = output;
-          table.dense.push_back(rows);
-        }
-        ++table.dense.back().rowCount;
-        break;
-      }
-      case UnitBatch::Kind::projected: {
-        ProjectedFace face = level.table->projected[at(batch.batch)];
-        face.firstIndex = firstIndex;
-        face.firstOutput = output;
-        table.projected.push_back(face);
-        break;
-      }
-      case UnitBatch::Kind::loose:
-        break;
-    }
-    addSources(batch, unit);
-    output += batch.outputs;
-    last = &batch;
-  };
-  for (const std::int32_t unit : units) {
-    const UnitBatch& batch = level.batchOf(unit);
-    if (batch.kind != UnitBatch::Kind::loose) addUnit(batch, unit);
-  }
-  // Loose rows are the last units of a level.
-  const LooseRows& loose = level.table->loose;
-  table.loose.firstIndex = static_cast<std::int32_t>(table.indices.size());
-  std::vector<std::int32_t> rows;
-  for (const std::int32_t unit : units) {
-    const UnitBatch& batch = level.batchOf(unit);
-    if (batch.kind == UnitBatch::Kind::loose) rows.push_back(unit - batch.firstUnit);
-  }
-  // A loose row's weights stand at the place of its indices, so both are laid out anew.
-  table.loose.firstWeight = static_cast<std::int32_t>(table.weights.size());
-  for (const std::int32_t row : rows) {
-    for (std::int32_t b = loose.offsets[at(row)]; b < loose.offsets[at(row) + 1]; ++b) {
-      table.indices.push_back(place(level.table->indices[at(loose.firstIndex + b)]));
-      table.weights.push_back(level.table->weights[at(loose.firstWeight + b)]);
-      table.weightsSingle.push_back(level.table->weightsSingle[at(loose.firstWeight + b)]);
-    }
-    table.loose.outputs.push_back(output++);
-    table.loose.offsets.push_back(static_cast<std::int32_t>(table.indices.size()) - table.loose.firstIndex);
-  }
-  table.targetCount = output;
 }
 
 }  // namespace honeycomb::Far

@@ -37,7 +37,6 @@ class TileSharing {
   Units makers(std::int32_t k, const std::vector<std::int32_t>& points) const;
   std::vector<std::int32_t> sources(std::int32_t k, const Units& units) const;
   void addSet(std::int32_t k, const Units& units, const Units& large);
-  void addTable(std::int32_t k, const Units& units, LevelTable& table) const;
 
   const TileUnits& units_;
   std::int32_t pointCount_ = 0;

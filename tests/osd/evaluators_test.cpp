@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "osd/cpu_evaluator.h"
 #include "tests/support/golden.h"
 #include "tests/support/refined.h"
+#include "tests/support/same_bits.h"
 #include "tests/support/scheme_list.h"
 #include "tests/support/shapes.h"
 #include "tests/support/table_rows.h"
@@ -45,14 +45,6 @@ struct Buffers {
   Osd::BufferDescriptor inDesc;
   Osd::BufferDescriptor outDesc;
 };
-
-template <class Real>
-bool sameBits(const std::vector<Real>& a, const std::vector<Real>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](Real x, Real y) {
-    using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-    return std::bit_cast<Bits>(x) == std::bit_cast<Bits>(y);
-  });
-}
 
 Osd::BufferDescriptor randomDescriptor(Random& random, std::int32_t length) {
   const auto offset = static_cast<std::int32_t>(random.below(4));

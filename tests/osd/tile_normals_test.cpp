@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -13,6 +12,7 @@
 #include "osd/tile_evaluator.h"
 #include "tests/support/creased.h"
 #include "tests/support/refined.h"
+#include "tests/support/same_bits.h"
 #include "tests/support/scheme_list.h"
 #include "tests/support/shapes.h"
 
@@ -34,12 +34,6 @@ struct Surface {
   std::vector<Real> points;
   std::vector<Real> normals;
 };
-
-template <class Real>
-bool sameBits(const std::vector<Real>& a, const std::vector<Real>& b) {
-  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-  return std::ranges::equal(a, b, [](Real x, Real y) { return std::bit_cast<Bits>(x) == std::bit_cast<Bits>(y); });
-}
 
 template <class Real>
 Surface<Real> empty(const Far::Refinement& refinement) {

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
 #include "far/base/parallel.h"
@@ -11,6 +10,7 @@
 #include "osd/tile_evaluator.h"
 #include "tests/support/creased.h"
 #include "tests/support/refined.h"
+#include "tests/support/same_bits.h"
 #include "tests/support/scheme_list.h"
 #include "tests/support/shapes.h"
 
@@ -35,12 +35,6 @@ Far::TileTable tiled(const Far::Refinement& refinement, std::int32_t scratchPoin
   auto tiles = Far::buildTileTable(refinement, {.level = level, .scratchPoints = scratchPoints, .order = order});
   EXPECT_TRUE(tiles.has_value()) << (tiles ? "" : tiles.error().message);
   return std::move(*tiles);
-}
-
-template <class Real>
-bool sameBits(const std::vector<Real>& a, const std::vector<Real>& b) {
-  using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-  return std::ranges::equal(a, b, [](Real x, Real y) { return std::bit_cast<Bits>(x) == std::bit_cast<Bits>(y); });
 }
 
 template <class Real>
