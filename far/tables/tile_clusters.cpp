@@ -80,9 +80,9 @@ class CountQueues {
 };
 
 /// Grows one tile after the other from a seed, always by the unit that shares the most points with it.
-class Growth {
+class TileGrowth {
  public:
-  Growth(const LevelUnits& level, std::int32_t rootPoints, std::int32_t pointsPerTile)
+  TileGrowth(const LevelUnits& level, std::int32_t rootPoints, std::int32_t pointsPerTile)
       : level_(level),
         readers_(level, rootPoints),
         pointsPerTile_(pointsPerTile),
@@ -176,7 +176,7 @@ class Growth {
 
 TileOwners growTiles(const TileUnits& units, const TileSharing& sharing, std::int32_t pointsPerTile) {
   const std::int32_t first = units.root() + 1;
-  TileOwners owners = Growth(units.level(first), units.rootPoints(), pointsPerTile).grow();
+  TileOwners owners = TileGrowth(units.level(first), units.rootPoints(), pointsPerTile).grow();
   owners.of.resize(at(units.chainCount()), -1);
   constexpr std::int32_t kOrphan = -2;  // reads nothing but shared points
   std::int32_t orphanPoints = 0;
