@@ -21,7 +21,7 @@ namespace {
 
 using Instructions = Osd::CpuEvaluator::Instructions;
 
-constexpr std::uint64_t kMeshes = meshes(40);
+constexpr std::uint64_t kMeshesWithNormals = meshes(40);
 
 template <class Real>
 class TileNormals : public testing::Test {};
@@ -85,7 +85,7 @@ void compare(const Far::Refinement& refinement, std::int32_t scratchPoints, std:
 }
 
 TYPED_TEST(TileNormals, AreThoseOfTheLevelsOnRandomMeshes) {
-  for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+  for (std::uint64_t seed = 0; seed < kMeshesWithNormals; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto scratch = static_cast<std::int32_t>(64 + 97 * seed % 2000);
     ASSERT_NO_FATAL_FAILURE(

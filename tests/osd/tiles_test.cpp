@@ -19,7 +19,7 @@ namespace {
 
 using Instructions = Osd::CpuEvaluator::Instructions;
 
-constexpr std::uint64_t kMeshes = meshes(40);
+constexpr std::uint64_t kTiledMeshes = meshes(40);
 
 template <class Real>
 class Tiles : public testing::Test {};
@@ -99,7 +99,7 @@ void compareAllLevels(const Far::Refinement& refinement, std::int32_t scratchPoi
 }
 
 TYPED_TEST(Tiles, GiveTheBitsOfTheChainOnRandomMeshes) {
-  for (std::uint64_t seed = 0; seed < kMeshes; ++seed) {
+  for (std::uint64_t seed = 0; seed < kTiledMeshes; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
     const RandomMesh mesh = randomMesh(seed);
