@@ -1,6 +1,7 @@
 honeycomb_test(osd_tests
   SHARDS 4
   LABELS threads
+  ALONE "Simd.*:RowTables*:TileNormals*UnderEveryScheme:TileNormals*TooLarge*:TileNormals*CostLinear*:Tiles*UnderEveryScheme:Tiles*TooLarge*"
   SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/buffer_errors_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/evaluators_test.cpp
