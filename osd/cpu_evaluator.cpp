@@ -134,17 +134,6 @@ Result<void> checkLimits(const Points<Real>& points, std::int64_t pointCount, co
   return {};
 }
 
-template <class Real>
-View<const Real> view(const Points<Real>& points) {
-  return {points.data.data() + points.desc.offset, points.desc.stride};
-}
-
-template <class Real>
-View<Real> view(const PointsOut<Real>& points) {
-  if (points.data.empty()) return {nullptr, 0};
-  return {points.data.data() + points.desc.offset, points.desc.stride};
-}
-
 }  // namespace
 
 template <>
@@ -200,8 +189,8 @@ Result<void> CpuEvaluator::vertexLimits(const Far::LimitTable& limits, const Poi
   const std::size_t size = 3 * at(limits.child.targetCount);
   if (child.size() < size) child.resize(size);
   evaluateLevel(threads_, instructions_, limits.child, points, PointsOut<Real>{child, {0, 3, 3}});
-  evaluateFrames(threads_, limits.vertices, View<const Real>{child.data(), 3}, view(positions), view(normals));
-  evaluateFrames(threads_, limits.verticesHere, view(points), view(positions), view(normals));
+  evaluateFrames(threads_, limits.vertices, View<const Real>{child.data(), 3}, viewOf(positions), viewOf(normals));
+  evaluateFrames(threads_, limits.verticesHere, viewOf(points), viewOf(positions), viewOf(normals));
   return {};
 }
 
@@ -211,7 +200,7 @@ Result<void> CpuEvaluator::faceLimits(const Far::LimitTable& limits, const Point
   if (auto ok = checkLimits(points, limits.faces.sourceCount, positions, normals, limits.faces.elementCount); !ok) {
     return ok;
   }
-  evaluateFrames(threads_, limits.faces, view(points), view(positions), view(normals));
+  evaluateFrames(threads_, limits.faces, viewOf(points), viewOf(positions), viewOf(normals));
   return {};
 }
 

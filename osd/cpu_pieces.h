@@ -83,8 +83,10 @@ template <class Real>
 View<const Real> viewOf(const Points<Real>& points) {
   return {points.data.data() + points.desc.offset, points.desc.stride};
 }
+/// Without data where there is no buffer.
 template <class Real>
 View<Real> viewOf(const PointsOut<Real>& points) {
+  if (points.data.empty()) return {nullptr, 0};
   return {points.data.data() + points.desc.offset, points.desc.stride};
 }
 

@@ -7,7 +7,7 @@
 #include "apps/cli/interrupt.h"
 #include "apps/cli/memory.h"
 #include "apps/cli/mesh_input.h"
-#include "bench/kit/stopwatch.h"
+#include "far/base/stopwatch.h"
 #include "io/output_file.h"
 
 namespace honeycomb::Cli {
@@ -51,7 +51,7 @@ Result<SchemeChain> chainOf(const Setup& setup, const ChainRequest& request) {
 Result<void> compareLevel(const Setup& setup, const SchemeChain& chain, BenchReport& report) {
   Far::RefineOptions options;
   options.limits = setup.plan.normals == Bench::Normals::exact;
-  const Bench::Stopwatch stopwatch;
+  const Stopwatch stopwatch;
   const Result<Far::Refinement> refinement = Far::refine(setup.topology, chain.steps, options);
   if (!refinement) return tl::unexpected(ofMesh(setup, refinement.error()));
   const double tablesMs = stopwatch.milliseconds();

@@ -7,7 +7,7 @@
 #include <limits>
 #include <memory>
 
-#include "apps/demo/stopwatch.h"
+#include "far/base/stopwatch.h"
 #include "far/tables/tile_table.h"
 #include "osd/cpu_evaluator.h"
 #include "osd/tile_evaluator.h"

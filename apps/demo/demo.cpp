@@ -9,8 +9,8 @@
 
 #include "apps/demo/animation.h"
 #include "apps/demo/contest.h"
-#include "apps/demo/stopwatch.h"
 #include "apps/demo/vulkan_part.h"
+#include "far/base/stopwatch.h"
 #include "far/schemes/akleman.h"
 #include "far/tables/refinement.h"
 

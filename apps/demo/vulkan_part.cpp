@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "apps/demo/pictures.h"
-#include "apps/demo/stopwatch.h"
+#include "far/base/stopwatch.h"
 #include "osd/vulkan/context.h"
 #include "osd/vulkan/session.h"
 

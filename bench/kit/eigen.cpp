@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "bench/kit/evaluators.h"
-#include "bench/kit/stopwatch.h"
 #include "far/base/parallel.h"
+#include "far/base/stopwatch.h"
 
 namespace honeycomb::Bench {
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "bench/kit/level_evaluator.h"
-#include "bench/kit/stopwatch.h"
+#include "far/base/stopwatch.h"
 #include "osd/cpu_evaluator.h"
 
 namespace honeycomb::Bench {

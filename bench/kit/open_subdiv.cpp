@@ -11,9 +11,9 @@
 #include <algorithm>
 
 #include "bench/kit/evaluators.h"
-#include "bench/kit/stopwatch.h"
 #include "far/base/index.h"
 #include "far/base/parallel.h"
+#include "far/base/stopwatch.h"
 #include "osd/cpu_evaluator.h"
 #include "osd/interop/stencil_tables.h"
 

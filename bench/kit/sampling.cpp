@@ -6,7 +6,7 @@
 #include <ctime>
 #include <thread>
 
-#include "bench/kit/stopwatch.h"
+#include "far/base/stopwatch.h"
 
 namespace honeycomb::Bench {
 

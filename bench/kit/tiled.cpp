@@ -2,7 +2,7 @@
 
 #include "bench/kit/evaluators.h"
 #include "bench/kit/level_evaluator.h"
-#include "bench/kit/stopwatch.h"
+#include "far/base/stopwatch.h"
 #include "far/tables/normal_rule.h"
 #include "far/tables/tile_table.h"
 #include "osd/normal_evaluator.h"

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "bench/kit/evaluators.h"
-#include "bench/kit/stopwatch.h"
+#include "far/base/stopwatch.h"
 #include "osd/vulkan/context.h"
 #include "osd/vulkan/session.h"
 

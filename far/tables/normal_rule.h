@@ -40,7 +40,6 @@ class NormalRule {
   LimitRows frames(std::int32_t k) const;
 
   std::int32_t pointCount() const { return level_.pointCount(); }
-  std::int32_t cornerPoints() const { return level_.cornerPoints; }
   /// Normals a corner point takes beside its face's own.
   std::int32_t cornerNeighbours() const { return level_.cornerPlace == CornerPlace::corner ? 2 : 1; }
   /// Calls visit(number of a normal) for those a point sums, in this order.

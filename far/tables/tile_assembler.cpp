@@ -51,19 +51,23 @@ std::span<const std::int32_t> TilePlan::owned(std::int32_t k, std::int32_t tile)
 
 namespace {
 
-/// Chains of one step have equal keys but for the unit.
+/// Chains of one step, those of one batch, ownership and last level, have equal keys but for the unit:
+///     | batch | not owned 1 | last 7 | unit 32 |
+constexpr int kUnitBits = 32;
+constexpr int kOwnedBit = kUnitBits + 7;
+constexpr int kBatchBit = kOwnedBit + 1;
 std::uint64_t keyOf(std::int32_t batch, bool owned, std::int32_t last, std::int32_t unit) {
-  return (static_cast<std::uint64_t>(batch) << 40) | (static_cast<std::uint64_t>(owned ? 0 : 1) << 39) |
-         (static_cast<std::uint64_t>(last) << 32) | static_cast<std::uint64_t>(unit);
+  return (static_cast<std::uint64_t>(batch) << kBatchBit) | (static_cast<std::uint64_t>(owned ? 0 : 1) << kOwnedBit) |
+         (static_cast<std::uint64_t>(last) << kUnitBits) | static_cast<std::uint64_t>(unit);
 }
 std::int32_t unitOf(std::uint64_t key) {
   return static_cast<std::int32_t>(key & 0xffffffffu);
 }
 std::int32_t lastOf(std::uint64_t key) {
-  return static_cast<std::int32_t>((key >> 32) & 0x7f);
+  return static_cast<std::int32_t>((key >> kUnitBits) & 0x7f);
 }
 bool ownedOf(std::uint64_t key) {
-  return ((key >> 39) & 1) == 0;
+  return ((key >> kOwnedBit) & 1) == 0;
 }
 
 }  // namespace

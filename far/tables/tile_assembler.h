@@ -74,8 +74,6 @@ class TileAssembler {
     std::int32_t tile = -1;
     std::int32_t number = 0;
   };
-  /// Chains of one step: those of one batch, ownership and last level, which is what their keys have in common.
-  static constexpr int kUnitBits = 32;
 
   void collect();
   void collectNormals();

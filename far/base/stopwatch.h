@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-namespace honeycomb::Bench {
+namespace honeycomb {
 
 /// Runs from its making. Wall-clock time.
 class Stopwatch {
@@ -15,4 +15,4 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-}  // namespace honeycomb::Bench
+}  // namespace honeycomb
