@@ -11,6 +11,7 @@
 #include "apps/cli/primvars.h"
 #include "apps/cli/surface_options.h"
 #include "far/base/index.h"
+#include "far/base/stopwatch.h"
 #include "io/pc2.h"
 
 namespace honeycomb::Cli {

@@ -16,6 +16,7 @@
 #include "apps/cli/surface_options.h"
 #include "apps/cli/tessellation.h"
 #include "far/base/index.h"
+#include "far/base/stopwatch.h"
 #include "far/tables/patch_table.h"
 
 namespace honeycomb::Cli {

@@ -83,11 +83,4 @@ Result<void> checkFinite(std::span<const Real> points) {
 template Result<void> checkFinite<float>(std::span<const float>);
 template Result<void> checkFinite<double>(std::span<const double>);
 
-double Stopwatch::lap() {
-  const auto now = std::chrono::steady_clock::now();
-  const double milliseconds = std::chrono::duration<double, std::milli>(now - last_).count();
-  last_ = now;
-  return milliseconds;
-}
-
 }  // namespace honeycomb::Cli

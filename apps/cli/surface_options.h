@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -47,14 +46,5 @@ Result<Far::Refinement> buildTables(const SurfacePlan& plan, const RunShape& sha
 /// Errors: invalidPositions, when a refined coordinate overflowed.
 template <class Real>
 Result<void> checkFinite(std::span<const Real> points);
-
-/// Wall-clock milliseconds between calls.
-class Stopwatch {
- public:
-  double lap();
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 }  // namespace honeycomb::Cli
