@@ -7,7 +7,6 @@
 #include <cstring>
 
 #include "osd/vulkan/errors.h"
-#include "osd/vulkan/functions.h"
 
 namespace honeycomb::Viewer {
 namespace {
@@ -30,19 +29,15 @@ constexpr std::array<VkMemoryPropertyFlags, 2> kForImages{VK_MEMORY_PROPERTY_DEV
 }  // namespace
 
 Result<Gpu> openGpu(const Osd::VulkanDevice& device) {
-  const auto functions = Osd::VulkanFunctions::load(device.instance, device.device);
-  if (!functions) return tl::unexpected(functions.error());
-  const auto loader = Osd::loadVulkan();
-  if (!loader) return tl::unexpected(loader.error());
+  const auto calls = Calls::load(device);
+  if (!calls) return tl::unexpected(calls.error());
   Gpu gpu;
   gpu.device = device;
-  gpu.call = functions->device;
-  gpu.getFormatProperties = reinterpret_cast<PFN_vkGetPhysicalDeviceFormatProperties>(
-      (*loader)(device.instance, "vkGetPhysicalDeviceFormatProperties"));
-  auto properties = structure<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
-  functions->getPhysicalDeviceProperties2(device.physicalDevice, &properties);
-  gpu.limits = properties.properties.limits;
-  functions->getPhysicalDeviceMemoryProperties(device.physicalDevice, &gpu.memory);
+  gpu.call = *calls;
+  VkPhysicalDeviceProperties properties{};
+  calls->vkGetPhysicalDeviceProperties(device.physicalDevice, &properties);
+  gpu.limits = properties.limits;
+  calls->vkGetPhysicalDeviceMemoryProperties(device.physicalDevice, &gpu.memory);
   return gpu;
 }
 
@@ -63,8 +58,8 @@ Owned<VkDeviceMemory> Maker::allocate(const VkMemoryRequirements& needs,
     info.allocationSize = needs.size;
     info.memoryTypeIndex = *type;
     VkDeviceMemory memory = VK_NULL_HANDLE;
-    const VkResult result = gpu_.call.vkAllocateMemory(gpu_.device.device, &info, nullptr, &memory);
-    if (result == VK_SUCCESS) return {gpu_.device.device, memory, gpu_.call.vkFreeMemory};
+    const VkResult result = gpu_.call.vkAllocateMemory(gpu_.device.device, &info, gpu_.device.allocator, &memory);
+    if (result == VK_SUCCESS) return {gpu_.device.device, memory, gpu_.call.vkFreeMemory, gpu_.device.allocator};
   }
   fail(Error{ErrorCode::outOfMemory, fmt::format("the Vulkan device has no {} bytes to spare for the picture; "
                                                  "try smaller pictures or fewer levels",

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <volk.h>
-
 #include <cstdint>
 #include <optional>
 #include <span>
 
+#include "apps/viewer/calls.h"
 #include "far/base/result.h"
 #include "osd/vulkan/device.h"
 #include "osd/vulkan/handles.h"
@@ -15,8 +14,7 @@ namespace honeycomb::Viewer {
 /// A device as the renderer uses it: its own table of functions, so that several devices live side by side.
 struct Gpu {
   Osd::VulkanDevice device;
-  VolkDeviceTable call{};
-  PFN_vkGetPhysicalDeviceFormatProperties getFormatProperties = nullptr;
+  Calls call{};
   VkPhysicalDeviceLimits limits{};
   VkPhysicalDeviceMemoryProperties memory{};
 };
@@ -71,8 +69,8 @@ class Maker {
   Owned<Handle> own(VkResult(VKAPI_PTR* create)(VkDevice, const Info*, const VkAllocationCallbacks*, Handle*),
                     typename Owned<Handle>::Destroy destroy, const Info& info, const char* what) {
     Handle handle = VK_NULL_HANDLE;
-    if (ok()) check(create(gpu_.device.device, &info, nullptr, &handle), what);
-    return ok() ? Owned<Handle>(gpu_.device.device, handle, destroy) : Owned<Handle>();
+    if (ok()) check(create(gpu_.device.device, &info, gpu_.device.allocator, &handle), what);
+    return ok() ? Owned<Handle>(gpu_.device.device, handle, destroy, gpu_.device.allocator) : Owned<Handle>();
   }
 
   Buffer buffer(VkDeviceSize bytes, VkBufferUsageFlags usage, Residence residence);
@@ -89,7 +87,7 @@ class Maker {
   std::optional<Error> error_;
 };
 
-/// The device's functions and limits. Errors: noDevice without a Vulkan loader, invalidOption for null handles.
+/// The device's functions and limits. Errors: of Osd::FunctionLoader.
 Result<Gpu> openGpu(const Osd::VulkanDevice& device);
 
 }  // namespace honeycomb::Viewer

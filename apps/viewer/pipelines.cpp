@@ -146,9 +146,10 @@ Owned<VkPipeline> makePipeline(Maker& make, const Gpu& gpu, VkPipelineLayout lay
   info.layout = layout;
   info.renderPass = choice.pass;
   VkPipeline pipeline = VK_NULL_HANDLE;
-  make.check(gpu.call.vkCreateGraphicsPipelines(gpu.device.device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-             "create a graphics pipeline");
-  return {gpu.device.device, pipeline, gpu.call.vkDestroyPipeline};
+  make.check(
+      gpu.call.vkCreateGraphicsPipelines(gpu.device.device, VK_NULL_HANDLE, 1, &info, gpu.device.allocator, &pipeline),
+      "create a graphics pipeline");
+  return {gpu.device.device, pipeline, gpu.call.vkDestroyPipeline, gpu.device.allocator};
 }
 
 }  // namespace

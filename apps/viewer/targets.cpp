@@ -21,7 +21,7 @@ Owned<VkFramebuffer> makeFrame(Maker& make, const Gpu& gpu, VkRenderPass pass, s
 
 bool has(const Gpu& gpu, VkFormat format, VkFormatFeatureFlags feature) {
   VkFormatProperties properties;
-  gpu.getFormatProperties(gpu.device.physicalDevice, format, &properties);
+  gpu.call.vkGetPhysicalDeviceFormatProperties(gpu.device.physicalDevice, format, &properties);
   return (properties.optimalTilingFeatures & feature) == feature;
 }
 

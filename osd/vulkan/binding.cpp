@@ -105,10 +105,10 @@ Result<void> VulkanBinding::makePool(std::uint32_t sets) {
   info.maxSets = std::max(1U, sets);
   info.poolSizeCount = 1;
   info.pPoolSizes = &size;
-  VkDescriptorPool pool = VK_NULL_HANDLE;
-  const VkResult result = core_->vk().vkCreateDescriptorPool(core_->device.device, &info, nullptr, &pool);
-  if (result != VK_SUCCESS) return vulkanFailure(result, "create a descriptor pool");
-  pool_ = {core_->device.device, pool, core_->vk().vkDestroyDescriptorPool};
+  auto pool = core_->make(core_->vk().vkCreateDescriptorPool, core_->vk().vkDestroyDescriptorPool, info,
+                          "create a descriptor pool");
+  if (!pool) return tl::unexpected(pool.error());
+  pool_ = std::move(*pool);
   return {};
 }
 
@@ -172,7 +172,7 @@ void VulkanBinding::barrier(VkCommandBuffer commands) const {
 }
 
 void VulkanBinding::record(VkCommandBuffer commands) const {
-  const VolkDeviceTable& vk = core_->vk();
+  const VulkanFunctions& vk = core_->vk();
   // The scratch may still be in use by the same binding, recorded before.
   barrier(commands);
   bool first = true;

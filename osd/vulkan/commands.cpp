@@ -8,32 +8,30 @@
 namespace honeycomb::Osd {
 
 Result<CommandRunner> CommandRunner::create(const std::shared_ptr<const VulkanCore>& core) {
-  const VkDevice device = core->device.device;
   CommandRunner runner;
   runner.core_ = core;
   VkCommandPoolCreateInfo poolInfo{};
   poolInfo.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
   poolInfo.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
   poolInfo.queueFamilyIndex = core->device.queueFamily;
-  VkCommandPool pool = VK_NULL_HANDLE;
-  VkResult result = core->vk().vkCreateCommandPool(device, &poolInfo, nullptr, &pool);
-  if (result != VK_SUCCESS) return vulkanFailure(result, "create a command pool");
-  runner.pool_ = {device, pool, core->vk().vkDestroyCommandPool};
+  auto pool =
+      core->make(core->vk().vkCreateCommandPool, core->vk().vkDestroyCommandPool, poolInfo, "create a command pool");
+  if (!pool) return tl::unexpected(pool.error());
+  runner.pool_ = std::move(*pool);
 
   VkCommandBufferAllocateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-  info.commandPool = pool;
+  info.commandPool = runner.pool_.get();
   info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
   info.commandBufferCount = 1;
-  result = core->vk().vkAllocateCommandBuffers(device, &info, &runner.commands_);
+  const VkResult result = core->vk().vkAllocateCommandBuffers(core->device.device, &info, &runner.commands_);
   if (result != VK_SUCCESS) return vulkanFailure(result, "allocate a command buffer");
 
   VkFenceCreateInfo fenceInfo{};
   fenceInfo.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
-  VkFence fence = VK_NULL_HANDLE;
-  result = core->vk().vkCreateFence(device, &fenceInfo, nullptr, &fence);
-  if (result != VK_SUCCESS) return vulkanFailure(result, "create a fence");
-  runner.fence_ = {device, fence, core->vk().vkDestroyFence};
+  auto fence = core->make(core->vk().vkCreateFence, core->vk().vkDestroyFence, fenceInfo, "create a fence");
+  if (!fence) return tl::unexpected(fence.error());
+  runner.fence_ = std::move(*fence);
   return runner;
 }
 

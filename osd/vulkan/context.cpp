@@ -42,10 +42,13 @@ struct FeatureChain {
 Result<VulkanContext> VulkanContext::create(const VulkanContextOptions& options) {
   VulkanContext context;
   if (options.validation) context.log_ = std::make_shared<ValidationLog>();
-  auto instance = VulkanInstance::create(context.log_, options.instanceExtensions);
+  auto instance =
+      VulkanInstance::create(context.log_, {.extensions = options.instanceExtensions, .allocator = options.allocator});
   if (!instance) return tl::unexpected(instance.error());
   context.instance_ = std::move(*instance);
   context.device_.instance = context.instance_->handle();
+  context.device_.allocator = options.allocator;
+  context.device_.getInstanceProcAddr = context.instance_->getProcAddr();
 
   const auto physical = context.instance_->physicalDevices();
   if (!physical) return tl::unexpected(physical.error());
@@ -110,7 +113,7 @@ Result<void> VulkanContext::makeDevice(const VulkanContextOptions& options) {
   info.enabledExtensionCount = static_cast<std::uint32_t>(options.deviceExtensions.size());
   info.ppEnabledExtensionNames = options.deviceExtensions.data();
   const VkResult result = instance_->function<PFN_vkCreateDevice>("vkCreateDevice")(device_.physicalDevice, &info,
-                                                                                    nullptr, &device_.device);
+                                                                                    device_.allocator, &device_.device);
   if (result != VK_SUCCESS) return vulkanFailure(result, "create a device");
   instance_->function<PFN_vkGetDeviceQueue>("vkGetDeviceQueue")(device_.device, device_.queueFamily, 0, &device_.queue);
   VkPhysicalDeviceProperties properties{};
@@ -142,7 +145,7 @@ VulkanContext& VulkanContext::operator=(VulkanContext&& other) noexcept {
 
 VulkanContext::~VulkanContext() {
   if (device_.device == VK_NULL_HANDLE) return;
-  instance_->function<PFN_vkDestroyDevice>("vkDestroyDevice")(device_.device, nullptr);
+  instance_->function<PFN_vkDestroyDevice>("vkDestroyDevice")(device_.device, device_.allocator);
 }
 
 std::vector<std::string> VulkanContext::messages() const {

@@ -18,6 +18,8 @@ struct VulkanContextOptions {
   bool validation = false;                        ///< run under the validation layer with synchronization checks
   std::vector<const char*> instanceExtensions{};  ///< more than the context needs itself, such as for a window
   std::vector<const char*> deviceExtensions{};
+  /// Host memory of instance and device, and of what is created from device(); outlives them. Null: the driver's own.
+  const VkAllocationCallbacks* allocator = nullptr;
 };
 
 /// An instance, a device and a queue for those who have none. The queue supports compute, and graphics where the device

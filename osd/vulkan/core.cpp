@@ -59,16 +59,19 @@ Result<VulkanCore> VulkanCore::create(const VulkanDevice& device, const VulkanEv
   if (device.physicalDevice == VK_NULL_HANDLE || device.queue == VK_NULL_HANDLE) {
     return fail(ErrorCode::invalidOption, "a VulkanDevice needs a physical device and a queue");
   }
-  auto functions = VulkanFunctions::load(device.instance, device.device);
+  auto functions = VulkanFunctions::load(device);
   if (!functions) return tl::unexpected(functions.error());
   VkPhysicalDeviceProperties2 properties{};
   properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-  functions->getPhysicalDeviceProperties2(device.physicalDevice, &properties);
+  functions->vkGetPhysicalDeviceProperties2(device.physicalDevice, &properties);
   if (const auto sound = checkDevice(properties.properties); !sound) return tl::unexpected(sound.error());
   const auto limits = limitsOf(properties.properties.limits, options);
   if (!limits) return tl::unexpected(limits.error());
   VulkanCore core{device, *functions, options, *limits, properties.properties.deviceType, {}};
-  core.functions.getPhysicalDeviceMemoryProperties(device.physicalDevice, &core.memory);
+  VkPhysicalDeviceMemoryProperties2 memory{};
+  memory.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_PROPERTIES_2;
+  core.functions.vkGetPhysicalDeviceMemoryProperties2(device.physicalDevice, &memory);
+  core.memory = memory.memoryProperties;
   return core;
 }
 

@@ -3,7 +3,9 @@
 #include <cstdint>
 
 #include "osd/vulkan/device.h"
+#include "osd/vulkan/errors.h"
 #include "osd/vulkan/functions.h"
+#include "osd/vulkan/handles.h"
 
 namespace honeycomb::Osd {
 
@@ -44,7 +46,24 @@ struct VulkanCore {
   VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
   VkPhysicalDeviceMemoryProperties memory{};
 
-  const VolkDeviceTable& vk() const { return functions.device; }
+  const VulkanFunctions& vk() const { return functions; }
+
+  /// Takes an object into ownership.
+  template <class Handle>
+  DeviceHandle<Handle> own(Handle handle, typename DeviceHandle<Handle>::Destroy destroy) const {
+    return {device.device, handle, destroy, device.allocator};
+  }
+  /// An object made by one of the device's vkCreate functions; `doing` completes "Vulkan failed to ...".
+  template <class Handle, class Info>
+  Result<DeviceHandle<Handle>> make(VkResult(VKAPI_PTR* creator)(VkDevice, const Info*, const VkAllocationCallbacks*,
+                                                                 Handle*),
+                                    typename DeviceHandle<Handle>::Destroy destroy, const Info& info,
+                                    const char* doing) const {
+    Handle handle = VK_NULL_HANDLE;
+    const VkResult result = creator(device.device, &info, device.allocator, &handle);
+    if (result != VK_SUCCESS) return vulkanFailure(result, doing);
+    return own(handle, destroy);
+  }
 
   /// Errors: invalidOption for null handles and unusable limits, noDevice without a loader, unsupported below
   /// Vulkan 1.2.

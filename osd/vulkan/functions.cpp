@@ -1,55 +1,49 @@
 #include "osd/vulkan/functions.h"
 
-#include <mutex>
+#include <fmt/format.h>
+
+#include "osd/vulkan/loader.h"
 
 namespace honeycomb::Osd {
 
-namespace {
-
-// volk keeps what it loads in globals; everything that touches them happens under this lock.
-std::mutex& volkMutex() {
-  static std::mutex mutex;
-  return mutex;
-}
-
-Result<PFN_vkGetInstanceProcAddr> initializeVolk() {
-  if (volkInitialize() != VK_SUCCESS) {
-    return fail(
-        ErrorCode::noDevice,
-        "no Vulkan loader found: install libvulkan1 and a driver such as mesa-vulkan-drivers, or use a CPU backend");
-  }
-  return vkGetInstanceProcAddr;
-}
-
-template <class Function>
-void loadInstanceFunction(PFN_vkGetInstanceProcAddr get, VkInstance instance, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(get(instance, name));
-}
-
-}  // namespace
-
-Result<PFN_vkGetInstanceProcAddr> loadVulkan() {
-  const std::lock_guard lock(volkMutex());
-  return initializeVolk();
-}
-
-Result<VulkanFunctions> VulkanFunctions::load(VkInstance instance, VkDevice device) {
-  if (instance == VK_NULL_HANDLE || device == VK_NULL_HANDLE) {
+Result<FunctionLoader> FunctionLoader::create(const VulkanDevice& device) {
+  if (device.instance == VK_NULL_HANDLE || device.device == VK_NULL_HANDLE) {
     return fail(ErrorCode::invalidOption, "a VulkanDevice needs an instance and a device");
   }
-  const std::lock_guard lock(volkMutex());
-  const auto get = initializeVolk();
-  if (!get) return tl::unexpected(get.error());
-  volkLoadInstanceOnly(instance);
-  VulkanFunctions functions;
-  loadInstanceFunction(*get, instance, "vkGetPhysicalDeviceProperties2", functions.getPhysicalDeviceProperties2);
-  loadInstanceFunction(*get, instance, "vkGetPhysicalDeviceMemoryProperties",
-                       functions.getPhysicalDeviceMemoryProperties);
-  volkLoadDeviceTable(&functions.device, device);
-  if (functions.getPhysicalDeviceProperties2 == nullptr || functions.device.vkCreateBuffer == nullptr) {
-    return fail(ErrorCode::unsupported,
-                "the Vulkan instance must be of version 1.1 or later: update the Vulkan driver");
+  FunctionLoader loader;
+  loader.instance_ = device.instance;
+  loader.device_ = device.device;
+  loader.getInstance_ = device.getInstanceProcAddr;
+  if (loader.getInstance_ == nullptr) {
+    const auto get = loadVulkan();
+    if (!get) return tl::unexpected(get.error());
+    loader.getInstance_ = *get;
   }
+  loader.getDevice_ = device.getDeviceProcAddr;
+  if (loader.getDevice_ == nullptr) loader.ofInstance("vkGetDeviceProcAddr", loader.getDevice_);
+  if (const auto found = loader.found(); !found) return tl::unexpected(found.error());
+  return loader;
+}
+
+Result<void> FunctionLoader::found() const {
+  if (missing_.empty()) return {};
+  return fail(ErrorCode::unsupported,
+              fmt::format("the Vulkan device has no function {}: update its driver to Vulkan 1.2 or later, check the "
+                          "getInstanceProcAddr and getDeviceProcAddr given, or use a CPU backend",
+                          missing_));
+}
+
+Result<VulkanFunctions> VulkanFunctions::load(const VulkanDevice& device) {
+  auto loader = FunctionLoader::create(device);
+  if (!loader) return tl::unexpected(loader.error());
+  VulkanFunctions functions;
+#define HONEYCOMB_LOAD(name) loader->ofInstance(#name, functions.name);
+  HONEYCOMB_VULKAN_INSTANCE_FUNCTIONS(HONEYCOMB_LOAD)
+#undef HONEYCOMB_LOAD
+#define HONEYCOMB_LOAD(name) loader->ofDevice(#name, functions.name);
+  HONEYCOMB_VULKAN_DEVICE_FUNCTIONS(HONEYCOMB_LOAD)
+#undef HONEYCOMB_LOAD
+  if (const auto found = loader->found(); !found) return tl::unexpected(found.error());
   return functions;
 }
 

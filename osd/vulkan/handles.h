@@ -1,31 +1,36 @@
 #pragma once
 
-#include <volk.h>
+#include <vulkan/vulkan_core.h>
 
 #include <utility>
 
 namespace honeycomb::Osd {
 
-/// Owns one object of a device, whatever its type: destroyed by the function it was made with.
+/// Owns one object of a device, whatever its type: destroyed by the function and the callbacks given with it.
 template <class Handle>
 class DeviceHandle {
  public:
   using Destroy = void(VKAPI_PTR*)(VkDevice, Handle, const VkAllocationCallbacks*);
 
   DeviceHandle() = default;
-  DeviceHandle(VkDevice device, Handle handle, Destroy destroy) : device_(device), handle_(handle), destroy_(destroy) {}
+  DeviceHandle(VkDevice device, Handle handle, Destroy destroy, const VkAllocationCallbacks* allocator)
+      : device_(device), handle_(handle), destroy_(destroy), allocator_(allocator) {}
   DeviceHandle(DeviceHandle&& other) noexcept
-      : device_(other.device_), handle_(std::exchange(other.handle_, VK_NULL_HANDLE)), destroy_(other.destroy_) {}
+      : device_(other.device_),
+        handle_(std::exchange(other.handle_, VK_NULL_HANDLE)),
+        destroy_(other.destroy_),
+        allocator_(other.allocator_) {}
   DeviceHandle& operator=(DeviceHandle&& other) noexcept {
     std::swap(device_, other.device_);
     std::swap(handle_, other.handle_);
     std::swap(destroy_, other.destroy_);
+    std::swap(allocator_, other.allocator_);
     return *this;
   }
   DeviceHandle(const DeviceHandle&) = delete;
   DeviceHandle& operator=(const DeviceHandle&) = delete;
   ~DeviceHandle() {
-    if (handle_ != VK_NULL_HANDLE) destroy_(device_, handle_, nullptr);
+    if (handle_ != VK_NULL_HANDLE) destroy_(device_, handle_, allocator_);
   }
 
   Handle get() const { return handle_; }
@@ -35,6 +40,7 @@ class DeviceHandle {
   VkDevice device_ = VK_NULL_HANDLE;
   Handle handle_ = VK_NULL_HANDLE;
   Destroy destroy_ = nullptr;
+  const VkAllocationCallbacks* allocator_ = nullptr;
 };
 
 }  // namespace honeycomb::Osd

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "osd/vulkan/errors.h"
-#include "osd/vulkan/functions.h"
+#include "osd/vulkan/loader.h"
 
 namespace honeycomb::Osd {
 
@@ -43,7 +43,7 @@ bool layerPresent(PFN_vkGetInstanceProcAddr getProc, const char* name) {
 }  // namespace
 
 Result<std::unique_ptr<VulkanInstance>> VulkanInstance::create(std::shared_ptr<ValidationLog> log,
-                                                               const std::vector<const char*>& extensions) {
+                                                               const VulkanInstanceOptions& options) {
   const auto getProc = loadVulkan();
   if (!getProc) return tl::unexpected(getProc.error());
   if (log && !layerPresent(*getProc, kValidationLayer)) {
@@ -51,8 +51,8 @@ Result<std::unique_ptr<VulkanInstance>> VulkanInstance::create(std::shared_ptr<V
                 "the layer VK_LAYER_KHRONOS_validation isn't installed: install vulkan-validationlayers, or create the "
                 "context without validation");
   }
-  std::unique_ptr<VulkanInstance> instance(new VulkanInstance(*getProc, std::move(log)));
-  if (const VkResult result = instance->makeInstance(extensions); result != VK_SUCCESS) {
+  std::unique_ptr<VulkanInstance> instance(new VulkanInstance(*getProc, std::move(log), options.allocator));
+  if (const VkResult result = instance->makeInstance(options); result != VK_SUCCESS) {
     return vulkanFailure(result, "create an instance");
   }
   if (const VkResult result = instance->makeMessenger(); result != VK_SUCCESS) {
@@ -61,12 +61,12 @@ Result<std::unique_ptr<VulkanInstance>> VulkanInstance::create(std::shared_ptr<V
   return instance;
 }
 
-VkResult VulkanInstance::makeInstance(const std::vector<const char*>& extensions) {
+VkResult VulkanInstance::makeInstance(const VulkanInstanceOptions& options) {
   VkApplicationInfo application{};
   application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
   application.pEngineName = "honeycomb";
   application.apiVersion = VK_API_VERSION_1_3;
-  std::vector<const char*> names = extensions;
+  std::vector<const char*> names = options.extensions;
   if (log_) names.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
   VkInstanceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
@@ -87,7 +87,7 @@ VkResult VulkanInstance::makeInstance(const std::vector<const char*>& extensions
   }
   info.enabledExtensionCount = static_cast<std::uint32_t>(names.size());
   info.ppEnabledExtensionNames = names.data();
-  return function<PFN_vkCreateInstance>("vkCreateInstance")(&info, nullptr, &instance_);
+  return function<PFN_vkCreateInstance>("vkCreateInstance")(&info, allocator_, &instance_);
 }
 
 VkResult VulkanInstance::makeMessenger() {
@@ -95,15 +95,15 @@ VkResult VulkanInstance::makeMessenger() {
   const auto createMessenger = function<PFN_vkCreateDebugUtilsMessengerEXT>("vkCreateDebugUtilsMessengerEXT");
   if (createMessenger == nullptr) return VK_ERROR_EXTENSION_NOT_PRESENT;
   const VkDebugUtilsMessengerCreateInfoEXT info = messengerInfo(log_.get());
-  return createMessenger(instance_, &info, nullptr, &messenger_);
+  return createMessenger(instance_, &info, allocator_, &messenger_);
 }
 
 VulkanInstance::~VulkanInstance() {
   if (instance_ == VK_NULL_HANDLE) return;
   if (messenger_ != VK_NULL_HANDLE) {
-    function<PFN_vkDestroyDebugUtilsMessengerEXT>("vkDestroyDebugUtilsMessengerEXT")(instance_, messenger_, nullptr);
+    function<PFN_vkDestroyDebugUtilsMessengerEXT>("vkDestroyDebugUtilsMessengerEXT")(instance_, messenger_, allocator_);
   }
-  function<PFN_vkDestroyInstance>("vkDestroyInstance")(instance_, nullptr);
+  function<PFN_vkDestroyInstance>("vkDestroyInstance")(instance_, allocator_);
 }
 
 Result<std::vector<VkPhysicalDevice>> VulkanInstance::physicalDevices() const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <volk.h>
+#include <vulkan/vulkan_core.h>
 
 #include <memory>
 #include <mutex>
@@ -29,17 +29,23 @@ class ValidationLog {
   std::vector<std::string> messages_;
 };
 
+struct VulkanInstanceOptions {
+  std::vector<const char*> extensions{};
+  const VkAllocationCallbacks* allocator = nullptr;  ///< outlives the instance
+};
+
 /// A Vulkan instance and, when asked, its validation messenger. Stays where it was made: drivers point to it.
 class VulkanInstance {
  public:
   /// With a log: validation and synchronization validation, messages into the log; `unsupported` without the layer.
   static Result<std::unique_ptr<VulkanInstance>> create(std::shared_ptr<ValidationLog> log,
-                                                        const std::vector<const char*>& extensions);
+                                                        const VulkanInstanceOptions& options);
   ~VulkanInstance();
   VulkanInstance(const VulkanInstance&) = delete;
   VulkanInstance& operator=(const VulkanInstance&) = delete;
 
   VkInstance handle() const { return instance_; }
+  PFN_vkGetInstanceProcAddr getProcAddr() const { return getProc_; }
 
   /// A function of this instance by its prototype's name; null when the instance lacks it.
   template <class Function>
@@ -51,13 +57,15 @@ class VulkanInstance {
   DeviceInfo describe(VkPhysicalDevice device) const;
 
  private:
-  VulkanInstance(PFN_vkGetInstanceProcAddr getProc, std::shared_ptr<ValidationLog> log)
-      : getProc_(getProc), log_(std::move(log)) {}
-  VkResult makeInstance(const std::vector<const char*>& extensions);
+  VulkanInstance(PFN_vkGetInstanceProcAddr getProc, std::shared_ptr<ValidationLog> log,
+                 const VkAllocationCallbacks* allocator)
+      : getProc_(getProc), log_(std::move(log)), allocator_(allocator) {}
+  VkResult makeInstance(const VulkanInstanceOptions& options);
   VkResult makeMessenger();
 
   PFN_vkGetInstanceProcAddr getProc_;
   std::shared_ptr<ValidationLog> log_;
+  const VkAllocationCallbacks* allocator_ = nullptr;
   VkInstance instance_ = VK_NULL_HANDLE;
   VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
 };

@@ -76,12 +76,12 @@ Result<DeviceHandle<VkDeviceMemory>> allocate(const VulkanCore& core, VkDeviceSi
   info.allocationSize = bytes;
   info.memoryTypeIndex = type;
   VkDeviceMemory memory = VK_NULL_HANDLE;
-  const VkResult result = core.vk().vkAllocateMemory(core.device.device, &info, nullptr, &memory);
+  const VkResult result = core.vk().vkAllocateMemory(core.device.device, &info, core.device.allocator, &memory);
   if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
     return tl::unexpected(outOfMemory(bytes, heapSize(core, type)));
   }
   if (result != VK_SUCCESS) return vulkanFailure(result, "allocate memory");
-  return DeviceHandle<VkDeviceMemory>(core.device.device, memory, core.vk().vkFreeMemory);
+  return core.own(memory, core.vk().vkFreeMemory);
 }
 
 Result<DeviceHandle<VkBuffer>> makeBuffer(const VulkanCore& core, std::uint64_t bytes, VkBufferUsageFlags usage) {
@@ -90,10 +90,7 @@ Result<DeviceHandle<VkBuffer>> makeBuffer(const VulkanCore& core, std::uint64_t 
   info.size = bytes;
   info.usage = usage;
   info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
-  VkBuffer buffer = VK_NULL_HANDLE;
-  const VkResult result = core.vk().vkCreateBuffer(core.device.device, &info, nullptr, &buffer);
-  if (result != VK_SUCCESS) return vulkanFailure(result, "create a buffer");
-  return DeviceHandle<VkBuffer>(core.device.device, buffer, core.vk().vkDestroyBuffer);
+  return core.make(core.vk().vkCreateBuffer, core.vk().vkDestroyBuffer, info, "create a buffer");
 }
 
 // The largest heap: what no buffer can pass, known before the driver is asked.

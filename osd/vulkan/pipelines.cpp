@@ -53,10 +53,10 @@ Result<void> VulkanPipelines::makeSetLayout() {
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
   info.bindingCount = static_cast<std::uint32_t>(bindings.size());
   info.pBindings = bindings.data();
-  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  const VkResult result = core_->vk().vkCreateDescriptorSetLayout(core_->device.device, &info, nullptr, &layout);
-  if (result != VK_SUCCESS) return vulkanFailure(result, "create a descriptor set layout");
-  setLayout_ = {core_->device.device, layout, core_->vk().vkDestroyDescriptorSetLayout};
+  auto layout = core_->make(core_->vk().vkCreateDescriptorSetLayout, core_->vk().vkDestroyDescriptorSetLayout, info,
+                            "create a descriptor set layout");
+  if (!layout) return tl::unexpected(layout.error());
+  setLayout_ = std::move(*layout);
   return {};
 }
 
@@ -69,10 +69,10 @@ Result<void> VulkanPipelines::makeLayout() {
   info.pSetLayouts = &set;
   info.pushConstantRangeCount = 1;
   info.pPushConstantRanges = &push;
-  VkPipelineLayout layout = VK_NULL_HANDLE;
-  const VkResult result = core_->vk().vkCreatePipelineLayout(core_->device.device, &info, nullptr, &layout);
-  if (result != VK_SUCCESS) return vulkanFailure(result, "create a pipeline layout");
-  layout_ = {core_->device.device, layout, core_->vk().vkDestroyPipelineLayout};
+  auto layout = core_->make(core_->vk().vkCreatePipelineLayout, core_->vk().vkDestroyPipelineLayout, info,
+                            "create a pipeline layout");
+  if (!layout) return tl::unexpected(layout.error());
+  layout_ = std::move(*layout);
   return {};
 }
 
@@ -83,10 +83,10 @@ Result<void> VulkanPipelines::makeModules() {
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     info.codeSize = code.size_bytes();
     info.pCode = code.data();
-    VkShaderModule shader = VK_NULL_HANDLE;
-    const VkResult result = core_->vk().vkCreateShaderModule(core_->device.device, &info, nullptr, &shader);
-    if (result != VK_SUCCESS) return vulkanFailure(result, "create a shader module");
-    modules_[k] = {core_->device.device, shader, core_->vk().vkDestroyShaderModule};
+    auto shader = core_->make(core_->vk().vkCreateShaderModule, core_->vk().vkDestroyShaderModule, info,
+                              "create a shader module");
+    if (!shader) return tl::unexpected(shader.error());
+    modules_[k] = std::move(*shader);
   }
   return {};
 }
@@ -115,10 +115,10 @@ Result<DeviceHandle<VkPipeline>> VulkanPipelines::make(Kernel kernel, const Spec
   info.stage.pSpecializationInfo = &constants;
   info.layout = layout_.get();
   VkPipeline pipeline = VK_NULL_HANDLE;
-  const VkDevice device = core_->device.device;
-  const VkResult result = core_->vk().vkCreateComputePipelines(device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
+  const VkResult result = core_->vk().vkCreateComputePipelines(core_->device.device, VK_NULL_HANDLE, 1, &info,
+                                                               core_->device.allocator, &pipeline);
   if (result != VK_SUCCESS) return vulkanFailure(result, "create a compute pipeline");
-  return DeviceHandle<VkPipeline>(device, pipeline, core_->vk().vkDestroyPipeline);
+  return core_->own(pipeline, core_->vk().vkDestroyPipeline);
 }
 
 }  // namespace honeycomb::Osd

@@ -77,14 +77,14 @@ TEST(SynchronizationTest, ALeakedObjectIsReportedWhenTheDeviceIsDestroyed) {
   if (layerMissing()) GTEST_SKIP() << "VK_LAYER_KHRONOS_validation isn't installed";
   auto context = Osd::VulkanContext::create({.validation = true});
   ASSERT_TRUE(context) << context.error().message;
-  const auto functions = Osd::VulkanFunctions::load(context->device().instance, context->device().device);
+  const auto functions = Osd::VulkanFunctions::load(context->device());
   ASSERT_TRUE(functions) << functions.error().message;
   VkFenceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
   Arena arena;
   const VkAllocationCallbacks callbacks = arena.callbacks();
   VkFence leaked = VK_NULL_HANDLE;
-  ASSERT_EQ(functions->device.vkCreateFence(context->device().device, &info, &callbacks, &leaked), VK_SUCCESS);
+  ASSERT_EQ(functions->vkCreateFence(context->device().device, &info, &callbacks, &leaked), VK_SUCCESS);
   const auto log = context->validationLog();
   { const Osd::VulkanContext ended = std::move(*context); }
   EXPECT_THAT(log->messages(), Contains(HasSubstr("has not been destroyed")));
