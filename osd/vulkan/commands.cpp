@@ -52,7 +52,7 @@ CommandRunner& CommandRunner::operator=(CommandRunner&& other) noexcept {
 }
 
 CommandRunner::~CommandRunner() {
-  // A lost device runs nothing any more: there is nothing to be done about a failure here.
+  // There is nothing more to be done about a failure here.
   if (core_) static_cast<void>(wait());
 }
 
@@ -72,11 +72,15 @@ Result<void> CommandRunner::end() {
 }
 
 Result<void> CommandRunner::submit() {
+  // Here and not after the wait: if it fails, nothing is under way, and the next submission tries again.
+  const VkFence fence = fence_.get();
+  VkResult result = core_->vk().vkResetFences(core_->device.device, 1, &fence);
+  if (result != VK_SUCCESS) return vulkanFailure(result, "reset a fence");
   VkSubmitInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
   info.commandBufferCount = 1;
   info.pCommandBuffers = &commands_;
-  const VkResult result = core_->vk().vkQueueSubmit(core_->device.queue, 1, &info, fence_.get());
+  result = core_->vk().vkQueueSubmit(core_->device.queue, 1, &info, fence);
   if (result != VK_SUCCESS) return vulkanFailure(result, "submit commands");
   running_ = true;
   return {};
@@ -84,11 +88,10 @@ Result<void> CommandRunner::submit() {
 
 Result<void> CommandRunner::wait() {
   if (!running_) return {};
-  running_ = false;
-  const VkDevice device = core_->device.device;
   const VkFence fence = fence_.get();
-  VkResult result = core_->vk().vkWaitForFences(device, 1, &fence, VK_TRUE, UINT64_MAX);
-  if (result == VK_SUCCESS) result = core_->vk().vkResetFences(device, 1, &fence);
+  const VkResult result = core_->vk().vkWaitForFences(core_->device.device, 1, &fence, VK_TRUE, UINT64_MAX);
+  // A lost device runs nothing any more; after any other failure the commands may still be running.
+  running_ = result != VK_SUCCESS && result != VK_ERROR_DEVICE_LOST;
   if (result != VK_SUCCESS) return vulkanFailure(result, "finish the submitted commands");
   return {};
 }

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
+#include <vector>
+
+#include "osd/vulkan/memory_pool.h"
 
 namespace honeycomb::Osd {
 
@@ -53,6 +57,23 @@ Result<void> checkDevice(const VkPhysicalDeviceProperties& properties) {
   return {};
 }
 
+// A property of the physical device may be asked for where it has the extension, whether the device enabled it or not.
+Result<bool> hasExtension(const VulkanCore& core, const char* name) {
+  std::uint32_t count = 0;
+  const auto list = core.vk().vkEnumerateDeviceExtensionProperties;
+  if (const VkResult result = list(core.device.physicalDevice, nullptr, &count, nullptr); result != VK_SUCCESS) {
+    return vulkanFailure(result, "list the device's extensions");
+  }
+  std::vector<VkExtensionProperties> extensions(count);
+  if (const VkResult result = list(core.device.physicalDevice, nullptr, &count, extensions.data());
+      result < VK_SUCCESS) {
+    return vulkanFailure(result, "list the device's extensions");
+  }
+  return std::any_of(extensions.begin(), extensions.end(), [name](const VkExtensionProperties& extension) {
+    return std::strcmp(extension.extensionName, name) == 0;
+  });
+}
+
 }  // namespace
 
 Result<VulkanCore> VulkanCore::create(const VulkanDevice& device, const VulkanEvaluatorOptions& options) {
@@ -67,7 +88,16 @@ Result<VulkanCore> VulkanCore::create(const VulkanDevice& device, const VulkanEv
   if (const auto sound = checkDevice(properties.properties); !sound) return tl::unexpected(sound.error());
   const auto limits = limitsOf(properties.properties.limits, options);
   if (!limits) return tl::unexpected(limits.error());
-  VulkanCore core{device, *functions, options, *limits, properties.properties.deviceType, {}};
+  VulkanCore core;
+  core.device = device;
+  core.functions = *functions;
+  core.options = options;
+  core.limits = *limits;
+  core.type = properties.properties.deviceType;
+  core.pool = std::make_shared<MemoryPool>();
+  const auto tellsBudget = hasExtension(core, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+  if (!tellsBudget) return tl::unexpected(tellsBudget.error());
+  core.tellsBudget = *tellsBudget;
   VkPhysicalDeviceMemoryProperties2 memory{};
   memory.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_PROPERTIES_2;
   core.functions.vkGetPhysicalDeviceMemoryProperties2(device.physicalDevice, &memory);

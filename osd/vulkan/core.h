@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "osd/vulkan/device.h"
 #include "osd/vulkan/errors.h"
@@ -9,6 +10,8 @@
 
 namespace honeycomb::Osd {
 
+class MemoryPool;
+
 /// How an evaluator uses its device. The defaults are for production; tests lower and break things.
 struct VulkanEvaluatorOptions {
   /// Bytes of a storage buffer that may be bound at once, lowered to the device's maxStorageBufferRange; a page is the
@@ -16,6 +19,9 @@ struct VulkanEvaluatorOptions {
   std::uint64_t maxStorageBufferRange = 0;
   /// Workgroups in a row of a dispatch, lowered to maxComputeWorkGroupCount[0]. 0: all that the device allows.
   std::uint32_t maxWorkgroupsInRow = 0;
+  /// Bytes of device memory the evaluator may hold at once with all its tables, bindings, sessions and what is staged;
+  /// 0: all that the device has to give.
+  std::uint64_t maxDeviceBytes = 0;
   /// Treat no memory as shared between host and device, as on a discrete GPU: everything goes through staging.
   bool stageEverything = false;
   /// Leave out the barriers between levels: results are wrong, and synchronization validation must say so.
@@ -45,6 +51,8 @@ struct VulkanCore {
   VulkanLimits limits;
   VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
   VkPhysicalDeviceMemoryProperties memory{};
+  bool tellsBudget = false;  ///< by VK_EXT_memory_budget
+  std::shared_ptr<MemoryPool> pool;
 
   const VulkanFunctions& vk() const { return functions; }
 

@@ -45,7 +45,7 @@
   X(vkDestroyShaderModule)                   \
   X(vkEndCommandBuffer)                      \
   X(vkFreeMemory)                            \
-  X(vkGetBufferMemoryRequirements)           \
+  X(vkGetBufferMemoryRequirements2)          \
   X(vkMapMemory)                             \
   X(vkQueueSubmit)                           \
   X(vkResetFences)                           \

@@ -8,6 +8,7 @@
 
 #include "osd/vulkan/commands.h"
 #include "osd/vulkan/errors.h"
+#include "osd/vulkan/memory_budget.h"
 
 namespace honeycomb::Osd {
 
@@ -55,35 +56,6 @@ std::optional<std::uint32_t> chooseType(const VulkanCore& core, std::uint32_t al
   return findType(core, allowed, wish.required);
 }
 
-Error outOfMemory(std::uint64_t bytes, std::uint64_t heap) {
-  return {ErrorCode::outOfMemory,
-          fmt::format(
-              "out of Vulkan device memory: {} bytes asked for, the device's heap holds {} in all; refine fewer levels "
-              "or use a CPU backend",
-              bytes, heap)};
-}
-
-// The size of the heap the memory type is taken from.
-std::uint64_t heapSize(const VulkanCore& core, std::uint32_t type) {
-  return core.memory.memoryHeaps[core.memory.memoryTypes[type].heapIndex].size;
-}
-
-Result<DeviceHandle<VkDeviceMemory>> allocate(const VulkanCore& core, VkDeviceSize bytes, std::uint32_t type) {
-  // Asking for more than the heap has is against the rules of vkAllocateMemory.
-  if (bytes > heapSize(core, type)) return tl::unexpected(outOfMemory(bytes, heapSize(core, type)));
-  VkMemoryAllocateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-  info.allocationSize = bytes;
-  info.memoryTypeIndex = type;
-  VkDeviceMemory memory = VK_NULL_HANDLE;
-  const VkResult result = core.vk().vkAllocateMemory(core.device.device, &info, core.device.allocator, &memory);
-  if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
-    return tl::unexpected(outOfMemory(bytes, heapSize(core, type)));
-  }
-  if (result != VK_SUCCESS) return vulkanFailure(result, "allocate memory");
-  return core.own(memory, core.vk().vkFreeMemory);
-}
-
 Result<DeviceHandle<VkBuffer>> makeBuffer(const VulkanCore& core, std::uint64_t bytes, VkBufferUsageFlags usage) {
   VkBufferCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
@@ -93,44 +65,60 @@ Result<DeviceHandle<VkBuffer>> makeBuffer(const VulkanCore& core, std::uint64_t 
   return core.make(core.vk().vkCreateBuffer, core.vk().vkDestroyBuffer, info, "create a buffer");
 }
 
-// The largest heap: what no buffer can pass, known before the driver is asked.
-std::uint64_t largestHeap(const VulkanCore& core) {
-  std::uint64_t largest = 0;
-  for (std::uint32_t i = 0; i < core.memory.memoryHeapCount; ++i) {
-    largest = std::max<std::uint64_t>(largest, core.memory.memoryHeaps[i].size);
+// What no buffer can pass, known before the driver is asked.
+std::uint32_t largestHeap(const VulkanCore& core) {
+  const auto* const heaps = core.memory.memoryHeaps;
+  const auto smaller = [](const VkMemoryHeap& a, const VkMemoryHeap& b) { return a.size < b.size; };
+  return static_cast<std::uint32_t>(std::max_element(heaps, heaps + core.memory.memoryHeapCount, smaller) - heaps);
+}
+
+Result<MemoryNeed> needOf(const VulkanCore& core, VkBuffer buffer, MemoryUse use) {
+  VkMemoryDedicatedRequirements dedicated{};
+  dedicated.sType = VK_STRUCTURE_TYPE_MEMORY_DEDICATED_REQUIREMENTS;
+  VkMemoryRequirements2 needs{};
+  needs.sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2;
+  needs.pNext = &dedicated;
+  VkBufferMemoryRequirementsInfo2 info{};
+  info.sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_REQUIREMENTS_INFO_2;
+  info.buffer = buffer;
+  core.vk().vkGetBufferMemoryRequirements2(core.device.device, &info, &needs);
+  const VkMemoryRequirements& memory = needs.memoryRequirements;
+  const auto type = chooseType(core, memory.memoryTypeBits, wishFor(core, use));
+  if (!type) {
+    return fail(ErrorCode::unsupported, "the Vulkan device has no memory that the host can map: choose another device");
   }
-  return largest;
+  const bool mappable = (core.memory.memoryTypes[*type].propertyFlags & kMappable) == kMappable;
+  return MemoryNeed{.bytes = memory.size,
+                    .alignment = memory.alignment,
+                    .type = *type,
+                    .mapped = mappable && (use != MemoryUse::device || sharesMemory(core)),
+                    .alone = dedicated.prefersDedicatedAllocation == VK_TRUE,
+                    .buffer = buffer};
 }
 
 }  // namespace
 
 Result<VulkanBuffer> VulkanBuffer::create(const std::shared_ptr<const VulkanCore>& core, std::uint64_t bytes,
                                           VkBufferUsageFlags usage, MemoryUse use) {
-  if (bytes > largestHeap(*core)) return tl::unexpected(outOfMemory(bytes, largestHeap(*core)));
+  const std::uint32_t heap = largestHeap(*core);
+  if (bytes > core->memory.memoryHeaps[heap].size) {
+    return tl::unexpected(outOfDeviceMemory(bytes, roomOf(*core, heap, core->pool->usage().held, 0)));
+  }
   VulkanBuffer result;
-  result.core_ = core;
   // Vulkan has no buffers of no bytes, and kernels read whole numbers.
   result.size_ = std::max<std::uint64_t>(bytes, 2 * sizeof(float));
   auto buffer = makeBuffer(*core, result.size_, usage);
   if (!buffer) return tl::unexpected(buffer.error());
-  VkMemoryRequirements needs{};
-  core->vk().vkGetBufferMemoryRequirements(core->device.device, buffer->get(), &needs);
-  const auto type = chooseType(*core, needs.memoryTypeBits, wishFor(*core, use));
-  if (!type)
-    return fail(ErrorCode::unsupported, "the Vulkan device has no memory that the host can map: choose another device");
-  auto memory = allocate(*core, needs.size, *type);
+  const auto need = needOf(*core, buffer->get(), use);
+  if (!need) return tl::unexpected(need.error());
+  auto memory = core->pool->allocate(core, *need);
   if (!memory) return tl::unexpected(memory.error());
-  VkResult status = core->vk().vkBindBufferMemory(core->device.device, buffer->get(), memory->get(), 0);
-  if (status != VK_SUCCESS) return vulkanFailure(status, "bind memory to a buffer");
+  const VkResult bound =
+      core->vk().vkBindBufferMemory(core->device.device, buffer->get(), memory->memory(), memory->offset());
+  if (bound != VK_SUCCESS) return vulkanFailure(bound, "bind memory to a buffer");
+  result.data_ = memory->data();
   result.memory_ = std::move(*memory);
   result.buffer_ = std::move(*buffer);
-  const bool mappable = (core->memory.memoryTypes[*type].propertyFlags & kMappable) == kMappable;
-  if (mappable && (use != MemoryUse::device || sharesMemory(*core))) {
-    void* data = nullptr;
-    status = core->vk().vkMapMemory(core->device.device, result.memory_.get(), 0, VK_WHOLE_SIZE, 0, &data);
-    if (status != VK_SUCCESS) return vulkanFailure(status, "map memory");
-    result.data_ = static_cast<std::byte*>(data);
-  }
   return result;
 }
 

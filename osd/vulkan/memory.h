@@ -8,6 +8,7 @@
 #include "far/base/result.h"
 #include "osd/vulkan/core.h"
 #include "osd/vulkan/handles.h"
+#include "osd/vulkan/memory_pool.h"
 
 namespace honeycomb::Osd {
 
@@ -26,11 +27,11 @@ enum class MemoryUse {
   readback  ///< written by copies, read by the host; mapped, cached where there is such memory
 };
 
-/// A buffer with memory of its own, persistently mapped where the host may touch it. Host memory is coherent.
+/// A buffer in the core's pool of memory, mapped for good where the host may touch it. Host memory is coherent.
 class VulkanBuffer {
  public:
   VulkanBuffer() = default;
-  /// Errors: outOfMemory, with the sizes asked for and present.
+  /// Errors: outOfMemory, see MemoryPool.
   static Result<VulkanBuffer> create(const std::shared_ptr<const VulkanCore>& core, std::uint64_t bytes,
                                      VkBufferUsageFlags usage, MemoryUse use);
 
@@ -44,8 +45,7 @@ class VulkanBuffer {
   std::span<float> numbers() const { return {reinterpret_cast<float*>(data_), bytes().size() / sizeof(float)}; }
 
  private:
-  std::shared_ptr<const VulkanCore> core_;
-  DeviceHandle<VkDeviceMemory> memory_;
+  MemorySlice memory_;
   DeviceHandle<VkBuffer> buffer_;
   std::byte* data_ = nullptr;
   std::uint64_t size_ = 0;
