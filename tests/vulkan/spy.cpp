@@ -32,6 +32,7 @@ struct Spied<kName, VkResult(VKAPI_PTR*)(Arguments...)> {
   static constexpr bool kFallible = true;
   static inline VkResult(VKAPI_PTR* real)(Arguments...) = nullptr;
   static VKAPI_ATTR VkResult VKAPI_CALL call(Arguments... arguments) {
+    (currentSpy->given(arguments), ...);
     if (const auto failure = currentSpy->called(textOf(kName))) {
       // Else what was submitted would still run while the evaluator takes its buffers away.
       if (std::string_view(textOf(kName)).starts_with("vkWait")) real(arguments...);
@@ -48,6 +49,7 @@ struct Spied<kName, void(VKAPI_PTR*)(Arguments...)> {
   static constexpr bool kFallible = false;
   static inline void(VKAPI_PTR* real)(Arguments...) = nullptr;
   static VKAPI_ATTR void VKAPI_CALL call(Arguments... arguments) {
+    (currentSpy->given(arguments), ...);
     currentSpy->called(textOf(kName));
     real(arguments...);
     currentSpy->executed(textOf(kName));
@@ -179,6 +181,16 @@ std::optional<VkResult> Spy::called(const char* function) {
   ++calls_[function];
   if (!fault_ || fault_->function != function || --fault_->call != 0) return std::nullopt;
   return fault_->result;
+}
+
+void Spy::given(const VkAllocationCallbacks* allocator) {
+  const std::lock_guard lock(mutex_);
+  if (allocator != real_.allocator) ++strangers_;
+}
+
+int Spy::strangers() const {
+  const std::lock_guard lock(mutex_);
+  return strangers_;
 }
 
 void Spy::executed(const char* function) {

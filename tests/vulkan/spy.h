@@ -39,6 +39,8 @@ class Spy {
 
   /// Objects and device memory that were made and not destroyed.
   std::int64_t alive() const;
+  /// Calls with other allocation callbacks than the device's.
+  int strangers() const;
   /// Calls of that function so far.
   int calls(std::string_view function) const;
 
@@ -48,6 +50,10 @@ class Spy {
   /// For the functions themselves: what the call is to return instead of being executed, and that it was.
   std::optional<VkResult> called(const char* function);
   void executed(const char* function);
+  void given(const VkAllocationCallbacks* allocator);
+  /// Other arguments don't matter.
+  template <class Argument>
+  void given(const Argument&) {}
   /// Answers in the place of VK_EXT_memory_budget; false without a budget.
   bool tell(VkPhysicalDeviceMemoryBudgetPropertiesEXT& budget) const;
   std::optional<bool> extension() const { return extension_; }
@@ -72,6 +78,7 @@ class Spy {
   std::optional<Fault> fault_;
   std::optional<Budget> budget_;
   std::int64_t alive_ = 0;
+  int strangers_ = 0;
   std::optional<bool> extension_;
 };
 

@@ -2,9 +2,11 @@
 # layer and must not cause a message.
 set(HONEYCOMB_VULKAN_TESTS
   context_test batches_test limits_test paging_test evaluator_test session_test staging_test synchronization_test
-  precise_test memory_pool_test faults_test)
+  precise_test memory_pool_test faults_test
+  callers_device_test)
 
 add_library(honeycomb_vulkan_test_support STATIC
+  ${CMAKE_CURRENT_LIST_DIR}/engine.cpp
   ${CMAKE_CURRENT_LIST_DIR}/reference.cpp
   ${CMAKE_CURRENT_LIST_DIR}/runs.cpp
   ${CMAKE_CURRENT_LIST_DIR}/spy.cpp)
