@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "osd/vulkan/errors.h"
+#include "osd/vulkan/guard.h"
 #include "osd/vulkan/instance.h"
 
 namespace honeycomb::Osd {
@@ -40,27 +41,29 @@ struct FeatureChain {
 }  // namespace
 
 Result<VulkanContext> VulkanContext::create(const VulkanContextOptions& options) {
-  VulkanContext context;
-  if (options.validation) context.log_ = std::make_shared<ValidationLog>();
-  auto instance =
-      VulkanInstance::create(context.log_, {.extensions = options.instanceExtensions, .allocator = options.allocator});
-  if (!instance) return tl::unexpected(instance.error());
-  context.instance_ = std::move(*instance);
-  context.device_.instance = context.instance_->handle();
-  context.device_.allocator = options.allocator;
-  context.device_.getInstanceProcAddr = context.instance_->getProcAddr();
+  return guarded([&]() -> Result<VulkanContext> {
+    VulkanContext context;
+    if (options.validation) context.log_ = std::make_shared<ValidationLog>();
+    auto instance = VulkanInstance::create(context.log_,
+                                           {.extensions = options.instanceExtensions, .allocator = options.allocator});
+    if (!instance) return tl::unexpected(instance.error());
+    context.instance_ = std::move(*instance);
+    context.device_.instance = context.instance_->handle();
+    context.device_.allocator = options.allocator;
+    context.device_.getInstanceProcAddr = context.instance_->getProcAddr();
 
-  const auto physical = context.instance_->physicalDevices();
-  if (!physical) return tl::unexpected(physical.error());
-  std::vector<DeviceInfo> infos;
-  for (const VkPhysicalDevice device : *physical) infos.push_back(context.instance_->describe(device));
-  const auto chosen = chooseDevice(infos, options.device);
-  if (!chosen) return tl::unexpected(chosen.error());
-  context.info_ = infos[*chosen];
-  context.device_.physicalDevice = (*physical)[*chosen];
-  if (const auto family = context.chooseQueueFamily(); !family) return tl::unexpected(family.error());
-  if (const auto made = context.makeDevice(options); !made) return tl::unexpected(made.error());
-  return context;
+    const auto physical = context.instance_->physicalDevices();
+    if (!physical) return tl::unexpected(physical.error());
+    std::vector<DeviceInfo> infos;
+    for (const VkPhysicalDevice device : *physical) infos.push_back(context.instance_->describe(device));
+    const auto chosen = chooseDevice(infos, options.device);
+    if (!chosen) return tl::unexpected(chosen.error());
+    context.info_ = infos[*chosen];
+    context.device_.physicalDevice = (*physical)[*chosen];
+    if (const auto family = context.chooseQueueFamily(); !family) return tl::unexpected(family.error());
+    if (const auto made = context.makeDevice(options); !made) return tl::unexpected(made.error());
+    return context;
+  });
 }
 
 Result<void> VulkanContext::chooseQueueFamily() {

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 
+#include "osd/vulkan/guard.h"
 #include "osd/vulkan/instance.h"
 
 namespace honeycomb::Osd {
@@ -51,13 +52,15 @@ DeviceInfo VulkanInstance::describe(VkPhysicalDevice device) const {
 }
 
 Result<std::vector<DeviceInfo>> listDevices() {
-  const auto instance = VulkanInstance::create(nullptr, {});
-  if (!instance) return tl::unexpected(instance.error());
-  const auto devices = (*instance)->physicalDevices();
-  if (!devices) return tl::unexpected(devices.error());
-  std::vector<DeviceInfo> infos;
-  for (const VkPhysicalDevice device : *devices) infos.push_back((*instance)->describe(device));
-  return infos;
+  return guarded([&]() -> Result<std::vector<DeviceInfo>> {
+    const auto instance = VulkanInstance::create(nullptr, {});
+    if (!instance) return tl::unexpected(instance.error());
+    const auto devices = (*instance)->physicalDevices();
+    if (!devices) return tl::unexpected(devices.error());
+    std::vector<DeviceInfo> infos;
+    for (const VkPhysicalDevice device : *devices) infos.push_back((*instance)->describe(device));
+    return infos;
+  });
 }
 
 namespace {

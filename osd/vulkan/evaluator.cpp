@@ -5,40 +5,46 @@
 #include <utility>
 #include <vector>
 
+#include "osd/vulkan/guard.h"
+
 namespace honeycomb::Osd {
 
 Result<VulkanEvaluator> VulkanEvaluator::create(const VulkanDevice& device, const VulkanEvaluatorOptions& options) {
-  const auto core = VulkanCore::create(device, options);
-  if (!core) return tl::unexpected(core.error());
-  VulkanEvaluator evaluator;
-  evaluator.core_ = std::make_shared<const VulkanCore>(*core);
-  auto pipelines = VulkanPipelines::create(evaluator.core_);
-  if (!pipelines) return tl::unexpected(pipelines.error());
-  evaluator.pipelines_ = std::move(*pipelines);
-  return evaluator;
+  return guarded([&]() -> Result<VulkanEvaluator> {
+    const auto core = VulkanCore::create(device, options);
+    if (!core) return tl::unexpected(core.error());
+    VulkanEvaluator evaluator;
+    evaluator.core_ = std::make_shared<const VulkanCore>(*core);
+    auto pipelines = VulkanPipelines::create(evaluator.core_);
+    if (!pipelines) return tl::unexpected(pipelines.error());
+    evaluator.pipelines_ = std::move(*pipelines);
+    return evaluator;
+  });
 }
 
 Result<VulkanTable> VulkanEvaluator::upload(const Far::Refinement& refinement, const VulkanTableOptions& options) {
-  const std::int32_t last = options.lastLevel < 0 ? refinement.levelCount() : options.lastLevel;
-  if (options.firstLevel < 0 || last <= options.firstLevel || last > refinement.levelCount()) {
-    return fail(ErrorCode::invalidOption,
-                fmt::format("levels {} to {} of a refinement with levels 0 to {}: give a range within, "
-                            "of at least one step",
-                            options.firstLevel, last, refinement.levelCount()));
-  }
-  std::vector<const Far::LevelTable*> levels;
-  for (std::int32_t k = options.firstLevel + 1; k <= last; ++k) levels.push_back(&refinement.level(k).table);
-  const Far::LimitTable* limits = last == refinement.levelCount() ? &refinement.limits() : nullptr;
-  return upload(levels, limits, options);
+  return guarded([&]() -> Result<VulkanTable> {
+    const std::int32_t last = options.lastLevel < 0 ? refinement.levelCount() : options.lastLevel;
+    if (options.firstLevel < 0 || last <= options.firstLevel || last > refinement.levelCount()) {
+      return fail(ErrorCode::invalidOption,
+                  fmt::format("levels {} to {} of a refinement with levels 0 to {}: give a range within, "
+                              "of at least one step",
+                              options.firstLevel, last, refinement.levelCount()));
+    }
+    std::vector<const Far::LevelTable*> levels;
+    for (std::int32_t k = options.firstLevel + 1; k <= last; ++k) levels.push_back(&refinement.level(k).table);
+    const Far::LimitTable* limits = last == refinement.levelCount() ? &refinement.limits() : nullptr;
+    return upload(levels, limits, options);
+  });
 }
 
 Result<VulkanTable> VulkanEvaluator::upload(std::span<const Far::LevelTable* const> levels,
                                             const Far::LimitTable* limits, const VulkanTableOptions& options) {
-  return buildTable(core_, *pipelines_, levels, limits, options);
+  return guarded([&]() -> Result<VulkanTable> { return buildTable(core_, *pipelines_, levels, limits, options); });
 }
 
 Result<VulkanBinding> VulkanEvaluator::bind(const VulkanTable& table, const VulkanTargets& targets) const {
-  return VulkanBinding::create(core_, pipelines_, table, targets);
+  return guarded([&]() -> Result<VulkanBinding> { return VulkanBinding::create(core_, pipelines_, table, targets); });
 }
 
 }  // namespace honeycomb::Osd

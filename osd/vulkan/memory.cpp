@@ -8,6 +8,7 @@
 
 #include "osd/vulkan/commands.h"
 #include "osd/vulkan/errors.h"
+#include "osd/vulkan/guard.h"
 #include "osd/vulkan/memory_budget.h"
 
 namespace honeycomb::Osd {
@@ -100,26 +101,28 @@ Result<MemoryNeed> needOf(const VulkanCore& core, VkBuffer buffer, MemoryUse use
 
 Result<VulkanBuffer> VulkanBuffer::create(const std::shared_ptr<const VulkanCore>& core, std::uint64_t bytes,
                                           VkBufferUsageFlags usage, MemoryUse use) {
-  const std::uint32_t heap = largestHeap(*core);
-  if (bytes > core->memory.memoryHeaps[heap].size) {
-    return tl::unexpected(outOfDeviceMemory(bytes, roomOf(*core, heap, core->pool->usage().held, 0)));
-  }
-  VulkanBuffer result;
-  // Vulkan has no buffers of no bytes, and kernels read whole numbers.
-  result.size_ = std::max<std::uint64_t>(bytes, 2 * sizeof(float));
-  auto buffer = makeBuffer(*core, result.size_, usage);
-  if (!buffer) return tl::unexpected(buffer.error());
-  const auto need = needOf(*core, buffer->get(), use);
-  if (!need) return tl::unexpected(need.error());
-  auto memory = core->pool->allocate(core, *need);
-  if (!memory) return tl::unexpected(memory.error());
-  const VkResult bound =
-      core->vk().vkBindBufferMemory(core->device.device, buffer->get(), memory->memory(), memory->offset());
-  if (bound != VK_SUCCESS) return vulkanFailure(bound, "bind memory to a buffer");
-  result.data_ = memory->data();
-  result.memory_ = std::move(*memory);
-  result.buffer_ = std::move(*buffer);
-  return result;
+  return guarded([&]() -> Result<VulkanBuffer> {
+    const std::uint32_t heap = largestHeap(*core);
+    if (bytes > core->memory.memoryHeaps[heap].size) {
+      return tl::unexpected(outOfDeviceMemory(bytes, roomOf(*core, heap, core->pool->usage().held, 0)));
+    }
+    VulkanBuffer result;
+    // Vulkan has no buffers of no bytes, and kernels read whole numbers.
+    result.size_ = std::max<std::uint64_t>(bytes, 2 * sizeof(float));
+    auto buffer = makeBuffer(*core, result.size_, usage);
+    if (!buffer) return tl::unexpected(buffer.error());
+    const auto need = needOf(*core, buffer->get(), use);
+    if (!need) return tl::unexpected(need.error());
+    auto memory = core->pool->allocate(core, *need);
+    if (!memory) return tl::unexpected(memory.error());
+    const VkResult bound =
+        core->vk().vkBindBufferMemory(core->device.device, buffer->get(), memory->memory(), memory->offset());
+    if (bound != VK_SUCCESS) return vulkanFailure(bound, "bind memory to a buffer");
+    result.data_ = memory->data();
+    result.memory_ = std::move(*memory);
+    result.buffer_ = std::move(*buffer);
+    return result;
+  });
 }
 
 Result<SharedBuffer> SharedBuffer::create(const std::shared_ptr<const VulkanCore>& core, std::uint64_t bytes,

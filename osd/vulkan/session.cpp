@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "osd/vulkan/guard.h"
+
 namespace honeycomb::Osd {
 
 Result<VulkanSession> VulkanSession::create(VulkanEvaluator& evaluator, const Far::Refinement& refinement,
@@ -15,24 +17,26 @@ Result<VulkanSession> VulkanSession::create(VulkanEvaluator& evaluator, const Fa
 }
 
 Result<VulkanSession> VulkanSession::create(const VulkanEvaluator& evaluator, VulkanTable table) {
-  VulkanSession session;
-  session.core_ = evaluator.core();
-  session.table_ = std::move(table);
-  auto commands = CommandRunner::create(session.core_);
-  if (!commands) return tl::unexpected(commands.error());
-  session.commands_ = std::move(*commands);
-  if (const auto made = session.makeBuffers(); !made) return tl::unexpected(made.error());
-  const VulkanTargets targets{.control = session.range(PointBuffer::control),
-                              .refined = session.range(PointBuffer::refined),
-                              .vertexPositions = session.range(PointBuffer::vertexPositions),
-                              .vertexNormals = session.range(PointBuffer::vertexNormals),
-                              .facePositions = session.range(PointBuffer::facePositions),
-                              .faceNormals = session.range(PointBuffer::faceNormals)};
-  auto binding = evaluator.bind(session.table_, targets);
-  if (!binding) return tl::unexpected(binding.error());
-  session.binding_ = std::make_unique<VulkanBinding>(std::move(*binding));
-  if (const auto recorded = session.record(); !recorded) return tl::unexpected(recorded.error());
-  return session;
+  return guarded([&]() -> Result<VulkanSession> {
+    VulkanSession session;
+    session.core_ = evaluator.core();
+    session.table_ = std::move(table);
+    auto commands = CommandRunner::create(session.core_);
+    if (!commands) return tl::unexpected(commands.error());
+    session.commands_ = std::move(*commands);
+    if (const auto made = session.makeBuffers(); !made) return tl::unexpected(made.error());
+    const VulkanTargets targets{.control = session.range(PointBuffer::control),
+                                .refined = session.range(PointBuffer::refined),
+                                .vertexPositions = session.range(PointBuffer::vertexPositions),
+                                .vertexNormals = session.range(PointBuffer::vertexNormals),
+                                .facePositions = session.range(PointBuffer::facePositions),
+                                .faceNormals = session.range(PointBuffer::faceNormals)};
+    auto binding = evaluator.bind(session.table_, targets);
+    if (!binding) return tl::unexpected(binding.error());
+    session.binding_ = std::make_unique<VulkanBinding>(std::move(*binding));
+    if (const auto recorded = session.record(); !recorded) return tl::unexpected(recorded.error());
+    return session;
+  });
 }
 
 Result<void> VulkanSession::makeBuffers() {

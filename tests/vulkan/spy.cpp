@@ -32,6 +32,7 @@ struct Spied<kName, VkResult(VKAPI_PTR*)(Arguments...)> {
   static constexpr bool kFallible = true;
   static inline VkResult(VKAPI_PTR* real)(Arguments...) = nullptr;
   static VKAPI_ATTR VkResult VKAPI_CALL call(Arguments... arguments) {
+    const InVulkan inVulkan;
     (currentSpy->given(arguments), ...);
     if (const auto failure = currentSpy->called(textOf(kName))) {
       // Else what was submitted would still run while the evaluator takes its buffers away.
@@ -49,6 +50,7 @@ struct Spied<kName, void(VKAPI_PTR*)(Arguments...)> {
   static constexpr bool kFallible = false;
   static inline void(VKAPI_PTR* real)(Arguments...) = nullptr;
   static VKAPI_ATTR void VKAPI_CALL call(Arguments... arguments) {
+    const InVulkan inVulkan;
     (currentSpy->given(arguments), ...);
     currentSpy->called(textOf(kName));
     real(arguments...);
@@ -92,10 +94,12 @@ PFN_vkVoidFunction inPlaceOf(std::string_view name, PFN_vkVoidFunction real) {
 }
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceFunction(VkInstance instance, const char* name) {
+  const InVulkan inVulkan;
   return currentSpy->ofInstance(instance, name);
 }
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceFunction(VkDevice device, const char* name) {
+  const InVulkan inVulkan;
   return currentSpy->ofDevice(device, name);
 }
 

@@ -13,6 +13,19 @@
 
 namespace honeycomb::VulkanTests {
 
+/// As long as one lives, its thread is in Vulkan, or in the spy: what is allocated then isn't ours.
+class InVulkan {
+ public:
+  InVulkan() { ++depth; }
+  ~InVulkan() { --depth; }
+  InVulkan(const InVulkan&) = delete;
+  InVulkan& operator=(const InVulkan&) = delete;
+  static bool here() { return depth > 0; }
+
+ private:
+  static inline thread_local int depth = 0;
+};
+
 /// Stands between evaluators and a device: all functions they look up are counted, and fail where they are told to.
 /// One at a time, since Vulkan's functions have no place for a pointer of ours; safe from several threads.
 class Spy {
