@@ -43,9 +43,10 @@ struct FeatureChain {
 Result<VulkanContext> VulkanContext::create(const VulkanContextOptions& options) {
   return guarded([&]() -> Result<VulkanContext> {
     VulkanContext context;
-    if (options.validation) context.log_ = std::make_shared<ValidationLog>();
-    auto instance = VulkanInstance::create(context.log_,
-                                           {.extensions = options.instanceExtensions, .allocator = options.allocator});
+    if (options.validation || options.deviceValidation) context.log_ = std::make_shared<ValidationLog>();
+    auto instance = VulkanInstance::create(context.log_, {.extensions = options.instanceExtensions,
+                                                          .allocator = options.allocator,
+                                                          .onDevice = options.deviceValidation});
     if (!instance) return tl::unexpected(instance.error());
     context.instance_ = std::move(*instance);
     context.device_.instance = context.instance_->handle();

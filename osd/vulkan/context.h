@@ -14,8 +14,11 @@ class VulkanInstance;
 class ValidationLog;
 
 struct VulkanContextOptions {
-  std::string device = "auto";                    ///< see chooseDevice
-  bool validation = false;                        ///< run under the validation layer with synchronization checks
+  std::string device = "auto";  ///< see chooseDevice
+  bool validation = false;      ///< run under the validation layer with synchronization checks
+  /// Run under the validation layer with checks of every access by the device itself instead (GPU-assisted): slow, but
+  /// sees what a kernel reads and writes past its buffers. robustBufferAccess, which would hide it, is never on.
+  bool deviceValidation = false;
   std::vector<const char*> instanceExtensions{};  ///< more than the context needs itself, such as for a window
   std::vector<const char*> deviceExtensions{};
   /// Host memory of instance and device, and of what is created from device(); outlives them. Null: the driver's own.

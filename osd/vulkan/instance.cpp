@@ -73,7 +73,10 @@ VkResult VulkanInstance::makeInstance(const VulkanInstanceOptions& options) {
   info.pApplicationInfo = &application;
 
   // Chained to the instance, the messenger also hears what is said while the instance is made and destroyed.
-  const VkValidationFeatureEnableEXT enabled = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
+  // Both at once the layer advises against.
+  const VkValidationFeatureEnableEXT enabled = options.onDevice
+                                                   ? VK_VALIDATION_FEATURE_ENABLE_GPU_ASSISTED_EXT
+                                                   : VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
   VkValidationFeaturesEXT features{};
   features.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
   features.enabledValidationFeatureCount = 1;

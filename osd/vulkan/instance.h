@@ -32,12 +32,14 @@ class ValidationLog {
 struct VulkanInstanceOptions {
   std::vector<const char*> extensions{};
   const VkAllocationCallbacks* allocator = nullptr;  ///< outlives the instance
+  bool onDevice = false;                             ///< validation checks accesses on the device
 };
 
 /// A Vulkan instance and, when asked, its validation messenger. Stays where it was made: drivers point to it.
 class VulkanInstance {
  public:
-  /// With a log: validation and synchronization validation, messages into the log; `unsupported` without the layer.
+  /// With a log: validation, of synchronization or of accesses on the device, messages into the log; `unsupported`
+  /// without the layer.
   static Result<std::unique_ptr<VulkanInstance>> create(std::shared_ptr<ValidationLog> log,
                                                         const VulkanInstanceOptions& options);
   ~VulkanInstance();
