@@ -11,16 +11,17 @@
 
 namespace honeycomb::Osd {
 
-/// Applies tables by Vulkan compute on a device of the caller's, with function pointers of its own. Needs Vulkan 1.2
-/// and no optional feature; a discrete GPU's memory is reached through staging. Bit-identical with the CPU evaluators
-/// where the device rounds division and square root correctly and keeps denormals (lavapipe does; Vulkan promises 2.5
-/// ulp).
+/// Applies tables by Vulkan compute on a device of the caller's, with function pointers of its own, looked up where the
+/// caller says, and host memory from the caller's callbacks (VulkanDevice). No global state, and no exception. Needs
+/// Vulkan 1.2 and no optional feature; a discrete GPU's memory is reached through staging. Bit-identical with the CPU
+/// evaluators where the device rounds division and square root correctly and keeps denormals (lavapipe does; Vulkan
+/// promises 2.5 ulp).
 ///
 /// Copies share pipelines. Safe from several threads, but see upload().
 class VulkanEvaluator {
  public:
-  /// Errors: noDevice without a Vulkan loader, invalidOption for null handles, unsupported below Vulkan 1.2 or when the
-  /// device can't bind 14 storage buffers, outOfMemory.
+  /// Errors: noDevice without a Vulkan loader, invalidOption for null handles, unsupported below Vulkan 1.2, when a
+  /// function is missing (named) or the device can't bind 14 storage buffers, outOfMemory, deviceLost.
   static Result<VulkanEvaluator> create(const VulkanDevice& device, const VulkanEvaluatorOptions& options = {});
 
   /// Brings the tables of levels options.firstLevel+1 .. options.lastLevel to the device, once per mesh. Where memory
@@ -39,9 +40,14 @@ class VulkanEvaluator {
   /// Records the dispatches of all levels and limits, with one barrier between a level and the next. Only records:
   /// never submits, allocates or updates. The command buffer must be in the recording state outside a render pass, of a
   /// family with compute, and loses its bound compute pipeline, descriptor set 0 and push constants.
-  ///     before   the caller makes the control points visible to COMPUTE_SHADER / SHADER_READ, and sees that what used
-  ///              the target buffers is done (an execution dependency on COMPUTE_SHADER)
-  ///     after    results were written by COMPUTE_SHADER / SHADER_WRITE; the caller's barrier makes them visible
+  ///     waits for   COMPUTE_SHADER / SHADER_WRITE of all that comes before on the same queue: its first barrier makes
+  ///                 that visible to COMPUTE_SHADER / SHADER_READ and SHADER_WRITE, so that control points from a
+  ///                 kernel of the caller's, and the same binding once more, need nothing in between
+  ///     the caller  makes copied control points visible to COMPUTE_SHADER / SHADER_READ (what the host wrote before
+  ///     the
+  ///                 submission is so), and lets COMPUTE_SHADER wait for those who still read the targets
+  ///     leaves      results written by COMPUTE_SHADER / SHADER_WRITE and no barrier: the caller's makes them visible
+  ///                 to those who read, at VERTEX_INPUT / VERTEX_ATTRIBUTE_READ or HOST / HOST_READ for instance
   void record(VkCommandBuffer commands, const VulkanBinding& binding) const { binding.record(commands); }
 
   /// What the device allows.
