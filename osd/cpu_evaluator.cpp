@@ -58,6 +58,17 @@ void withKernels(CpuEvaluator::Instructions instructions, const Body& body) {
   body(PlainKernels{});
 }
 
+/// Rows that read the sums of large faces: plain, whatever the others are. They are few, and only at a first level.
+template <class Real>
+void evaluateSummed(CpuEvaluator::Threads threads, const Far::LevelTable& table, const Piece<Real>& piece) {
+  if (table.summed.rowCount() == 0) return;
+  std::vector<Real> sums(table.projected.size() * at(kPiece));
+  split(threads, static_cast<std::int64_t>(table.projected.size()), kPointsPerTask,
+        [&](std::int64_t begin, std::int64_t end) { Plain::faceSums<Real>(table, piece, sums, begin, end); });
+  split(threads, table.summed.rowCount(), 1,
+        [&](std::int64_t begin, std::int64_t end) { Plain::summedRows<Real>(table, piece, sums, begin, end); });
+}
+
 /// All batches of a level on a piece of each point. They write different points, so their order has no meaning.
 template <class Kernels, class Real>
 void evaluatePiece(CpuEvaluator::Threads threads, Kernels kernels, const Far::LevelTable& table,
@@ -74,6 +85,7 @@ void evaluatePiece(CpuEvaluator::Threads threads, Kernels kernels, const Far::Le
         [&](std::int64_t begin, std::int64_t end) { kernels.projectedFaces(table, piece, begin, end); });
   split(threads, table.loose.rowCount(), 1,
         [&](std::int64_t begin, std::int64_t end) { kernels.looseRows(table, piece, begin, end); });
+  evaluateSummed(threads, table, piece);
 }
 
 /// Calls body(piece) for points of any length, `sourceCount` of them to read. `padded`: the target's points have room

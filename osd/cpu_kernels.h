@@ -221,6 +221,38 @@ void looseRows(const Far::LevelTable& table, const View<const Real>& in, const V
   }
 }
 
+/// S of each large face begin .. end-1: `width` numbers a face.
+template <int Width, class Real>
+void faceSums(const Far::LevelTable& table, const View<const Real>& in, const View<Real>& sums, std::int64_t begin,
+              std::int64_t end) {
+  for (std::int64_t f = begin; f < end; ++f) {
+    const Far::ProjectedFace& face = table.projected[at(f)];
+    const Real* s = table.weightsAs<Real>().data() + face.firstWeight + 2;
+    store(blockedSum<Width>(s, table.indices.data() + face.firstIndex, face.corners, in),
+          sums.point(static_cast<std::int32_t>(f)));
+  }
+}
+
+/// Rows begin .. end-1, which read the sums of the table's large faces.
+template <int Width, class Real>
+void summedRows(const Far::LevelTable& table, const View<const Real>& in, const View<const Real>& sums,
+                const View<Real>& out, std::int64_t begin, std::int64_t end) {
+  const Far::SummedRows& summed = table.summed;
+  const Far::LooseRows& rows = summed.rows;
+  const Real* weights = table.weightsAs<Real>().data() + rows.firstWeight;
+  const Real* shares = table.weightsAs<Real>().data() + summed.firstShare;
+  const std::int32_t* index = table.indices.data() + rows.firstIndex;
+  for (std::int64_t r = begin; r < end; ++r) {
+    const std::int32_t first = rows.offsets[at(r)];
+    const std::int32_t last = rows.offsets[at(r) + 1];
+    std::int32_t t = summed.shareOffsets[at(r)];
+    const auto share = [&](std::int32_t i) { return shares[i] * load<Width>(sums.point(summed.faces[at(i)])); };
+    auto sum = first < last ? rowSum<Width>(weights, index, first, last, in) : share(t++);
+    for (; t < summed.shareOffsets[at(r) + 1]; ++t) sum = sum + share(t);
+    store(sum, out.point(rows.outputs[at(r)]));
+  }
+}
+
 /// Rows begin .. end-1, row r to point r.
 template <int Width, class Real>
 void stencilRows(const Far::StencilTable& table, Far::StencilWeights which, const View<const Real>& in,

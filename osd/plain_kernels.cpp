@@ -50,14 +50,32 @@ void denseRows(const Far::LevelTable& table, const Far::DenseRows& batch, const 
 template <class Real>
 void projectedFaces(const Far::LevelTable& table, const Piece<Real>& piece, std::int64_t begin, std::int64_t end) {
   forPieceWidth(piece.width, [&](auto width) {
-    for (std::int64_t f = begin; f < end; ++f)
-      Kernels::projectedFace<width()>(table, table.projected[at(f)], piece.in, piece.out);
+    for (std::int64_t f = begin; f < end; ++f) {
+      const Far::ProjectedFace& face = table.projected[at(f)];
+      if (face.outputs > 0) Kernels::projectedFace<width()>(table, face, piece.in, piece.out);
+    }
   });
 }
 
 template <class Real>
 void looseRows(const Far::LevelTable& table, const Piece<Real>& piece, std::int64_t begin, std::int64_t end) {
   forPieceWidth(piece.width, [&](auto width) { Kernels::looseRows<width()>(table, piece.in, piece.out, begin, end); });
+}
+
+template <class Real>
+void faceSums(const Far::LevelTable& table, const Piece<Real>& piece, std::span<Real> sums, std::int64_t begin,
+              std::int64_t end) {
+  forPieceWidth(piece.width, [&](auto width) {
+    Kernels::faceSums<width()>(table, piece.in, View<Real>{sums.data(), kPiece}, begin, end);
+  });
+}
+
+template <class Real>
+void summedRows(const Far::LevelTable& table, const Piece<Real>& piece, std::span<const Real> sums, std::int64_t begin,
+                std::int64_t end) {
+  forPieceWidth(piece.width, [&](auto width) {
+    Kernels::summedRows<width()>(table, piece.in, View<const Real>{sums.data(), kPiece}, piece.out, begin, end);
+  });
 }
 
 template <class Real>
@@ -74,6 +92,9 @@ void stencilRows(const Far::StencilTable& table, Far::StencilWeights which, cons
                           std::int64_t);                                                                             \
   template void projectedFaces(const Far::LevelTable&, const Piece<Real>&, std::int64_t, std::int64_t);              \
   template void looseRows(const Far::LevelTable&, const Piece<Real>&, std::int64_t, std::int64_t);                   \
+  template void faceSums(const Far::LevelTable&, const Piece<Real>&, std::span<Real>, std::int64_t, std::int64_t);   \
+  template void summedRows(const Far::LevelTable&, const Piece<Real>&, std::span<const Real>, std::int64_t,          \
+                           std::int64_t);                                                                            \
   template void stencilRows(const Far::StencilTable&, Far::StencilWeights, const Piece<Real>&, std::int64_t,         \
                             std::int64_t);
 HONEYCOMB_INSTANTIATE(float)

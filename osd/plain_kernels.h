@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "far/tables/level_table.h"
 #include "far/tables/limit_table.h"
 #include "far/tables/stencil_table.h"
@@ -26,6 +28,16 @@ void projectedFaces(const Far::LevelTable& table, const Piece<Real>& piece, std:
 /// Loose rows begin .. end-1 of a level.
 template <class Real>
 void looseRows(const Far::LevelTable& table, const Piece<Real>& piece, std::int64_t begin, std::int64_t end);
+
+/// The sums of the large faces begin .. end-1 of a level: kPiece numbers each, of which the piece's width are written.
+template <class Real>
+void faceSums(const Far::LevelTable& table, const Piece<Real>& piece, std::span<Real> sums, std::int64_t begin,
+              std::int64_t end);
+
+/// Summed rows begin .. end-1 of a level, from the sums of all its large faces.
+template <class Real>
+void summedRows(const Far::LevelTable& table, const Piece<Real>& piece, std::span<const Real> sums, std::int64_t begin,
+                std::int64_t end);
 
 /// Rows begin .. end-1, row r to point r.
 template <class Real>

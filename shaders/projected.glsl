@@ -4,7 +4,7 @@
 //     projected          the outputs
 struct ProjectedFace {
   uint corners;
-  uint outputs;
+  uint outputs;      // none: only S is wanted, and there are weights for it alone
   uint firstCorner;
   uint firstIndex;   // from push.firstIndex
   uint firstOutput;

@@ -22,16 +22,22 @@ void main() {
   const uint weightS = push.firstWeight + face.firstWeight + 2u;
   const uint weightC = weightS + face.corners;
   const uint weightD = weightC + face.corners;
+  const bool sumOnly = face.outputs == 0u;
   const float first = sourceValue(indices[index + task.y], c);
   precise float s = weights[weightS + task.y] * first;
-  precise float cosine = weights[weightC + task.y] * first;
-  precise float sine = weights[weightD + task.y] * first;
+  precise float cosine = 0.0;
+  precise float sine = 0.0;
+  if (!sumOnly) {
+    cosine = weights[weightC + task.y] * first;
+    sine = weights[weightD + task.y] * first;
+  }
   for (uint j = task.y + 1u; j < end; ++j) {
     const float p = sourceValue(indices[index + j], c);
     precise float termS = weights[weightS + j] * p;
+    s = s + termS;
+    if (sumOnly) continue;
     precise float termC = weights[weightC + j] * p;
     precise float termD = weights[weightD + j] * p;
-    s = s + termS;
     cosine = cosine + termC;
     sine = sine + termD;
   }

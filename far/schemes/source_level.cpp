@@ -9,6 +9,10 @@ namespace honeycomb::Far {
 
 void SourceLevel::addBarycentre(std::int32_t f, double weight, Row& row) const {
   const double share = weight / topology_.sides(f);
+  if (const std::int32_t sum = sumPoint(f); sum >= 0) {
+    row.push_back({sum, share});
+    return;
+  }
   for (const std::int32_t h : topology_.halfEdgesOf(f)) {
     row.push_back({topology_.vert(h), share});
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "far/topology/topology.h"
@@ -35,7 +36,17 @@ class SourceLevel {
     return topology_.vertexCount() + (central_ == CentralPoints::byInputFace ? topology_.inputFace(f) : f);
   }
 
-  /// Appends weight times the barycentre of face f's vertices.
+  /// The number under which rows read the sum of all vertices of large face f, as a point behind all others; -1: of
+  /// this face there is none. Numbers of sums count from pointCount().
+  std::int32_t sumPoint(std::int32_t f) const {
+    return sums_.empty() || sums_[static_cast<std::size_t>(f)] < 0 ? -1
+                                                                   : pointCount() + sums_[static_cast<std::size_t>(f)];
+  }
+  /// `sums`: per face the number of its sum, -1 where it has none.
+  void nameSums(std::vector<std::int32_t> sums) { sums_ = std::move(sums); }
+  bool hasSums() const { return !sums_.empty(); }
+
+  /// Appends weight times the barycentre of face f's vertices, by their sum where it has a name.
   void addBarycentre(std::int32_t f, double weight, Row& row) const;
   /// Appends weight times the central control vertex of face f; where the level has none, that is the barycentre.
   void addCentral(std::int32_t f, double weight, Row& row) const;
@@ -43,6 +54,7 @@ class SourceLevel {
  private:
   const Topology& topology_;
   CentralPoints central_;
+  std::vector<std::int32_t> sums_;
 };
 
 /// Adds up the entries of the same point, at the place of the first.

@@ -53,8 +53,11 @@ bool nonNegative(const LevelTable& table) {
          std::all_of(table.dense.begin(), table.dense.end(),
                      [&](const DenseRows& rows) { return positive(rows.firstWeight, rows.width); }) &&
          positive(table.loose.firstWeight, table.loose.offsets.back()) &&
-         std::all_of(table.projected.begin(), table.projected.end(),
-                     [&](const ProjectedFace& face) { return nonNegative(table, face); });
+         positive(table.summed.rows.firstWeight, table.summed.rows.offsets.back()) &&
+         positive(table.summed.firstShare, table.summed.shareOffsets.back()) &&
+         std::all_of(table.projected.begin(), table.projected.end(), [&](const ProjectedFace& face) {
+           return face.outputs > 0 ? nonNegative(table, face) : positive(face.firstWeight + 2, face.corners);
+         });
 }
 
 }  // namespace

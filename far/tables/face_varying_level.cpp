@@ -137,6 +137,7 @@ class LevelBuilder {
       covered.insert(covered.end(), {batch.firstOutput, batch.firstOutput + batch.faceCount * batch.sides});
     }
     for (ProjectedFace face : old.projected) {
+      if (face.outputs == 0) continue;
       face.firstIndex = addCorners(face.firstIndex, face.firstOutput, 1, face.corners, face.outputs);
       if (face.firstIndex < 0) continue;
       table.projected.push_back(face);
@@ -160,7 +161,7 @@ class LevelBuilder {
       end = std::max({end, b.firstRow + b.sides, b.firstForm + b.formWeights()});
     }
     for (const ProjectedFace& f : table.projected) {
-      end = std::max(end, f.firstWeight + 2 + 3 * f.corners + 3 * f.outputs);
+      if (f.outputs > 0) end = std::max(end, f.firstWeight + 2 + 3 * f.corners + 3 * f.outputs);
     }
     return end;
   }

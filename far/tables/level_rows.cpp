@@ -15,6 +15,10 @@ std::int32_t sizeOf(const auto& batches) {
   return static_cast<std::int32_t>(batches.size());
 }
 
+std::int32_t entriesOf(const LooseRows& rows, std::int32_t row) {
+  return rows.offsets[at(row) + 1] - rows.offsets[at(row)];
+}
+
 }  // namespace
 
 LevelRows::LevelRows(const LevelTable& table) : table_(&table), places_(at(table.targetCount), kNowhere) {
@@ -33,6 +37,10 @@ LevelRows::LevelRows(const LevelTable& table) : table_(&table), places_(at(table
   Parallel::forEach(0, table.loose.rowCount(), [&](std::int64_t r) {
     places_[at(table.loose.outputs[at(r)])] = static_cast<std::int32_t>(-1 - r);
   });
+  const std::int32_t looseRows = table.loose.rowCount();
+  Parallel::forEach(0, table.summed.rowCount(), [&](std::int64_t r) {
+    places_[at(table.summed.rows.outputs[at(r)])] = static_cast<std::int32_t>(-1 - looseRows - r);
+  });
 }
 
 void LevelRows::addRange(const Range& range, std::int64_t outputs) {
@@ -44,7 +52,11 @@ void LevelRows::addRange(const Range& range, std::int64_t outputs) {
 LevelRows::Place LevelRows::place(std::int32_t output) const {
   const std::int32_t number = places_[at(output)];
   assert(number != kNowhere);
-  if (number < 0) return {Kind::loose, 0, -1 - number, 0};
+  if (number < 0) {
+    const std::int32_t row = -1 - number;
+    const std::int32_t looseRows = table_->loose.rowCount();
+    return row < looseRows ? Place{Kind::loose, 0, row, 0} : Place{Kind::summed, 0, row - looseRows, 0};
+  }
   const Range& range = ranges_[at(number)];
   const std::int32_t i = output - range.firstOutput;
   return {range.kind, range.batch, i / range.itemOutputs, i % range.itemOutputs};
@@ -59,8 +71,13 @@ std::int32_t LevelRows::entryCount(std::int32_t output) const {
       return table_->projected[at(p.batch)].corners;
     case Kind::dense:
       return table_->dense[at(p.batch)].width;
+    case Kind::summed: {
+      std::int32_t count = entriesOf(table_->summed.rows, p.item);
+      visitShares(p.item, [&](std::int32_t face, double) { count += table_->projected[at(face)].corners; });
+      return count;
+    }
     default:
-      return table_->loose.offsets[at(p.item) + 1] - table_->loose.offsets[at(p.item)];
+      return entriesOf(table_->loose, p.item);
   }
 }
 

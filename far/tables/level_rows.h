@@ -13,13 +13,13 @@ namespace honeycomb::Far {
 /// hand them to others. Four bytes an output point; reads the table, which must outlive it.
 class LevelRows {
  public:
-  enum class Kind : std::uint8_t { circulant, projected, dense, loose };
+  enum class Kind : std::uint8_t { circulant, projected, dense, summed, loose };
   /// Where the row of an output point stands.
   struct Place {
     Kind kind = Kind::loose;
-    std::int32_t batch = 0;  ///< in the table's batches of that kind; 0 for loose rows
-    std::int32_t item = 0;   ///< face of a circulant batch, row of dense or loose rows; 0 for a projected face
-    std::int32_t row = 0;    ///< output of that face; 0 for dense and loose rows
+    std::int32_t batch = 0;  ///< in the table's batches of that kind; 0 for summed and loose rows
+    std::int32_t item = 0;   ///< face of a circulant batch, row of dense, summed or loose rows; 0 for a projected face
+    std::int32_t row = 0;    ///< output of that face; 0 for all rows
     /// Outputs of one face read the same points.
     bool sameFace(const Place& other) const { return kind == other.kind && batch == other.batch && item == other.item; }
   };
@@ -46,8 +46,25 @@ class LevelRows {
         return visitProjected(table_->projected[at(p.batch)], p.row, take);
       case Kind::dense:
         return visitDense(table_->dense[at(p.batch)], p.item, take);
+      case Kind::summed:
+        return visitSummed(p.item, take);
       case Kind::loose:
-        return visitLoose(p.item, take);
+        return visitEntries(table_->loose, p.item, take);
+    }
+  }
+
+  /// The same for the entries of a summed row alone, without what its shares of large faces stand for.
+  template <class Take>
+  void visitOwnEntries(std::int32_t summedRow, const Take& take) const {
+    visitEntries(table_->summed.rows, summedRow, take);
+  }
+
+  /// Calls take(large face, weight) for the shares of a summed row.
+  template <class Take>
+  void visitShares(std::int32_t summedRow, const Take& take) const {
+    const SummedRows& rows = table_->summed;
+    for (std::int32_t t = rows.shareOffsets[at(summedRow)]; t < rows.shareOffsets[at(summedRow) + 1]; ++t) {
+      take(rows.faces[at(t)], weight(rows.firstShare + t));
     }
   }
 
@@ -89,8 +106,18 @@ class LevelRows {
   }
 
   template <class Take>
-  void visitLoose(std::int32_t item, const Take& take) const {
-    const LooseRows& rows = table_->loose;
+  void visitSummed(std::int32_t item, const Take& take) const {
+    visitOwnEntries(item, take);
+    visitShares(item, [&](std::int32_t number, double share) {
+      const ProjectedFace& face = table_->projected[at(number)];
+      for (std::int32_t j = 0; j < face.corners; ++j) {
+        take(source(face.firstIndex + j), share * weight(std::int64_t{face.firstWeight} + 2 + j));
+      }
+    });
+  }
+
+  template <class Take>
+  void visitEntries(const LooseRows& rows, std::int32_t item, const Take& take) const {
     for (std::int32_t b = rows.offsets[at(item)]; b < rows.offsets[at(item) + 1]; ++b) {
       take(source(rows.firstIndex + b), weight(rows.firstWeight + b));
     }
@@ -107,7 +134,7 @@ class LevelRows {
 
   const LevelTable* table_;
   std::vector<Range> ranges_;
-  std::vector<std::int32_t> places_;  // by output point: a range, or -1 - loose row
+  std::vector<std::int32_t> places_;  // by output point: a range, or -1 - row: loose ones, then summed ones
 };
 
 }  // namespace honeycomb::Far

@@ -7,6 +7,7 @@ namespace honeycomb::Far {
 
 std::int64_t LevelTable::byteCount() const {
   return bytes(circulants) + bytes(projected) + bytes(dense) + bytes(loose.outputs) + bytes(loose.offsets) +
+         bytes(summed.rows.outputs) + bytes(summed.rows.offsets) + bytes(summed.shareOffsets) + bytes(summed.faces) +
          bytes(indices) + bytes(weights) + bytes(weightsSingle);
 }
 

@@ -64,7 +64,7 @@ struct CirculantBatch {
 ///     (outputs)
 struct ProjectedFace {
   std::int32_t corners = 0;
-  std::int32_t outputs = 0;
+  std::int32_t outputs = 0;  ///< none: only S is wanted (see SummedRows), and the weights end behind s
   std::int32_t firstCorner = 0;
   std::int32_t firstIndex = 0;
   std::int32_t firstOutput = 0;
@@ -97,6 +97,20 @@ struct LooseRows {
   std::int32_t rowCount() const { return static_cast<std::int32_t>(outputs.size()); }
 };
 
+/// Rows with weights and places of their own that also read the sum S of all corners of large faces, which stand in
+/// `projected` of the same table, as if it were a point: N rows beside a face of N sides cost O(N).
+///     out[rows.outputs[r]] = ((w_0 p_0 + w_1 p_1) + ... + u_0 S_0) + ...
+/// The entries w, p are those of a loose row, the first ones; then come the shares u_t = weights[firstShare + t] of
+/// S_t = S of projected[faces[t]], t = shareOffsets[r] .. shareOffsets[r+1]-1. A row has at least one term, perhaps
+/// shares alone.
+struct SummedRows {
+  LooseRows rows;
+  std::vector<std::int32_t> shareOffsets{0};  ///< rows + 1
+  std::vector<std::int32_t> faces;            ///< in LevelTable::projected, of each share
+  std::int32_t firstShare = 0;                ///< in the weights
+  std::int32_t rowCount() const { return rows.rowCount(); }
+};
+
 /// What to compute to get the points of a level from those of the level before. Every point of the level is the output
 /// of exactly one row of one batch. Weights are computed in double and kept in double and float; every row sums to 1.
 struct LevelTable {
@@ -105,6 +119,7 @@ struct LevelTable {
   std::vector<CirculantBatch> circulants;
   std::vector<ProjectedFace> projected;
   std::vector<DenseRows> dense;
+  SummedRows summed;
   LooseRows loose;
   Array<std::int32_t> indices;       ///< source points, of all batches
   std::vector<double> weights;       ///< of all batches

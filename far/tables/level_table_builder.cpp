@@ -9,6 +9,7 @@
 #include "far/tables/circulant_form.h"
 #include "far/tables/mirrored_polygon.h"
 #include "far/tables/row_writer.h"
+#include "far/tables/summed_row_writer.h"
 
 namespace honeycomb::Far {
 
@@ -59,7 +60,10 @@ class Builder {
   /// A run of whole face-faces: their outputs are the run's half-edges.
   void addFaces(const FaceRun& run) {
     CirculantRule rule = scheme_.faceRule(run.sides);
-    if (rule.central != 0 && source_.hasCentral()) return addCentralRun(run, rule);
+    if (rule.central != 0 && source_.hasCentral()) {
+      if (run.sides > kLargestCirculant) addSums(run);
+      return addCentralRun(run, rule);
+    }
     rule.mean += rule.central / run.sides;  // without a point of its own, the central control vertex is the barycentre
     const std::int32_t firstIndex = addCorners(run);
     if (run.sides <= kLargestCirculant) {
@@ -107,9 +111,80 @@ class Builder {
   }
 
   void addCentralPoints() {
-    rows_.add(split_.topology.vertexCount(), split_.topology.faceCount(), [&](std::int64_t f, Row& row) {
-      scheme_.centralRow(source_, split_, static_cast<std::int32_t>(f), row);
-    });
+    source_.nameSums(largeFaces());
+    SummedRowWriter summedRows(table_);
+    const std::vector<Segment> segments = centralSegments();
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const std::int32_t first = segments[i].firstFace;
+      const std::int32_t end = i + 1 < segments.size() ? segments[i + 1].firstFace : split_.topology.faceCount();
+      const std::int32_t output = split_.topology.vertexCount() + first;
+      const auto makeRow = [&](std::int64_t k, Row& row) {
+        scheme_.centralRow(source_, split_, first + static_cast<std::int32_t>(k), row);
+      };
+      segments[i].summed ? summedRows.add(output, end - first, makeRow) : rows_.add(output, end - first, makeRow);
+    }
+    summedRows.finish();
+  }
+
+  /// Per face of the parent its number among the table's projected faces, -1 for others; empty if there are none. Those
+  /// of schemes with central control vertices are whole faces.
+  std::vector<std::int32_t> largeFaces() const {
+    if (table_.projected.empty()) return {};
+    std::vector<std::int32_t> numbers(at(parent_.faceCount()), -1);
+    for (std::size_t i = 0; i < table_.projected.size(); ++i) {
+      const std::int32_t face = split_.topology.face(table_.projected[i].firstOutput);
+      numbers[at(split_.topology.parents()[at(face)])] = static_cast<std::int32_t>(i);
+    }
+    return numbers;
+  }
+
+  /// Faces of the child from one on, up to the next segment's, whose central control vertices have summed rows or not.
+  struct Segment {
+    std::int32_t firstFace;
+    bool summed;
+  };
+
+  /// Summed are the rows of large faces, and where no central control vertices are given those of the faces that the
+  /// vertices of large faces become, all in pieces of some that hold one.
+  std::vector<Segment> centralSegments() const {
+    constexpr std::int32_t kPiece = 1024;
+    std::vector<Segment> segments;
+    const std::vector<std::uint8_t> beside = besideLargeFaces();
+    for (const FaceRun& run : split_.topology.runs()) {
+      const std::int32_t end = run.firstFace + run.faceCount;
+      for (std::int32_t first = run.firstFace; first < end; first += kPiece) {
+        const auto parents = split_.topology.parents().subspan(at(first), at(std::min(kPiece, end - first)));
+        const bool summed = source_.hasSums() && std::ranges::any_of(parents, [&](std::int32_t parent) {
+                              return run.parent == FaceParent::face     ? source_.sumPoint(parent) >= 0
+                                     : run.parent == FaceParent::vertex ? beside[at(parent)] != 0
+                                                                        : false;
+                            });
+        if (segments.empty() || segments.back().summed != summed) segments.push_back({first, summed});
+      }
+    }
+    return segments;
+  }
+
+  /// Per vertex of the parent: is it one of a large face, whose central control vertex is made up from its corners?
+  std::vector<std::uint8_t> besideLargeFaces() const {
+    std::vector<std::uint8_t> beside(at(parent_.vertexCount()), 0);
+    if (source_.hasCentral()) return beside;
+    for (const ProjectedFace& face : table_.projected) {
+      for (std::int32_t j = 0; j < face.corners; ++j) beside[at(table_.indices[at(face.firstIndex + j)])] = 1;
+    }
+    return beside;
+  }
+
+  /// The sums of a run of large faces, for their central control vertices.
+  void addSums(const FaceRun& run) {
+    const std::int32_t firstIndex = addCorners(run);
+    std::vector<double> weights(at(run.sides) + 2, 1.0);
+    weights[0] = weights[1] = 0;
+    const std::int32_t firstWeight = addWeights(weights);
+    for (std::int32_t g = 0; g < run.faceCount; ++g) {
+      table_.projected.push_back(
+          {run.sides, 0, 0, firstIndex + g * run.sides, run.firstHalfEdge + g * run.sides, firstWeight});
+    }
   }
 
   void addProjectedRun(const FaceRun& run, std::int32_t firstIndex, const CirculantRule& rule) {
@@ -199,7 +274,7 @@ class Builder {
     return row;
   }
 
-  const SourceLevel& source_;
+  SourceLevel source_;
   const Topology& parent_;
   const SplitResult& split_;
   const Scheme& scheme_;

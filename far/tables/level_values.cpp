@@ -27,7 +27,10 @@ class Application {
         256);
     Parallel::forEach(
         0, static_cast<std::int64_t>(table_.projected.size()),
-        [&](std::int64_t i) { project(table_.projected[at(i)]); }, 1);
+        [&](std::int64_t i) {
+          if (table_.projected[at(i)].outputs > 0) project(table_.projected[at(i)]);
+        },
+        1);
     return std::move(target_);
   }
 

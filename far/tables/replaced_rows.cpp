@@ -18,7 +18,8 @@ class Replacement {
   void apply() {
     cutCirculants();
     cutDense();
-    std::erase_if(table_.projected, [&](const ProjectedFace& face) { return goes_[at(face.firstOutput)] != 0; });
+    cutProjected();
+    cutSummed();
     rewriteLoose();
     table_.weightsSingle.assign(table_.weights.begin(), table_.weights.end());
   }
@@ -58,6 +59,39 @@ class Replacement {
         part.firstOutput += first;
         table_.dense.push_back(part);
       });
+    }
+  }
+
+  /// Summed rows go on reading the sums of faces whose outputs are replaced: such a face stays, without outputs.
+  void cutProjected() {
+    const bool read = table_.summed.rowCount() > 0;
+    for (ProjectedFace& face : table_.projected) {
+      if (face.outputs > 0 && goes_[at(face.firstOutput)] != 0) face.outputs = 0;
+    }
+    if (!read) std::erase_if(table_.projected, [](const ProjectedFace& face) { return face.outputs == 0; });
+  }
+
+  /// The rows that stay move together; what they leave of the table's arrays behind them is read by none.
+  void cutSummed() {
+    const SummedRows old = std::exchange(table_.summed, {});
+    SummedRows& kept = table_.summed;
+    kept.rows.firstIndex = old.rows.firstIndex;
+    kept.rows.firstWeight = old.rows.firstWeight;
+    kept.firstShare = old.firstShare;
+    std::int32_t entries = 0;
+    for (std::int32_t r = 0; r < old.rowCount(); ++r) {
+      if (goes_[at(old.rows.outputs[at(r)])] != 0) continue;
+      for (std::int32_t b = old.rows.offsets[at(r)]; b < old.rows.offsets[at(r) + 1]; ++b, ++entries) {
+        table_.indices[at(old.rows.firstIndex + entries)] = table_.indices[at(old.rows.firstIndex + b)];
+        table_.weights[at(old.rows.firstWeight + entries)] = table_.weights[at(old.rows.firstWeight + b)];
+      }
+      for (std::int32_t t = old.shareOffsets[at(r)]; t < old.shareOffsets[at(r) + 1]; ++t) {
+        table_.weights[at(old.firstShare) + kept.faces.size()] = table_.weights[at(old.firstShare + t)];
+        kept.faces.push_back(old.faces[at(t)]);
+      }
+      kept.rows.outputs.push_back(old.rows.outputs[at(r)]);
+      kept.rows.offsets.push_back(entries);
+      kept.shareOffsets.push_back(static_cast<std::int32_t>(kept.faces.size()));
     }
   }
 

@@ -92,6 +92,8 @@ class Composer {
       const LevelRows::Place place = rows.place(point);
       if (place.kind == LevelRows::Kind::projected) {
         collect(rows.table(), place, weights, to);
+      } else if (place.kind == LevelRows::Kind::summed) {
+        collectSummed(rows, place.item, weights, to);
       } else {
         rows.visit(point, [&](std::int32_t source, double w) { to.add(source, w, weights); });
       }
@@ -117,9 +119,22 @@ class Composer {
       sums.cosine[lane] += x[face.outputs] * weights[lane];
       sums.sine[lane] += x[2 * std::int64_t{face.outputs}] * weights[lane];
     }
-    if (touchedFace_[at(place.batch)]) return;
-    touchedFace_[at(place.batch)] = 1;
-    faces_.push_back(place.batch);
+    touchFace(place.batch);
+  }
+
+  /// A row with shares of large faces' sums: its own entries now, the shares later.
+  void collectSummed(const LevelRows& rows, std::int32_t row, const Weights& weights, SparsePoints<Lanes>& to) {
+    rows.visitOwnEntries(row, [&](std::int32_t source, double w) { to.add(source, w, weights); });
+    rows.visitShares(row, [&](std::int32_t face, double share) {
+      for (std::size_t lane = 0; lane < Lanes; ++lane) sums_[at(face)].sum[lane] += share * weights[lane];
+      touchFace(face);
+    });
+  }
+
+  void touchFace(std::int32_t face) {
+    if (touchedFace_[at(face)]) return;
+    touchedFace_[at(face)] = 1;
+    faces_.push_back(face);
   }
 
   void spread(const LevelTable& table, std::int32_t number, SparsePoints<Lanes>& to) {
@@ -129,6 +144,10 @@ class Composer {
     const double* d = c + face.corners;
     FaceSums& sums = sums_[at(number)];
     for (std::int32_t j = 0; j < face.corners; ++j) {
+      if (face.outputs == 0) {
+        to.add(table.indices[at(face.firstIndex + j)], s[j], sums.sum);
+        continue;
+      }
       Weights total{};
       for (std::size_t lane = 0; lane < Lanes; ++lane) {
         total[lane] = (s[j] * sums.sum[lane] + c[j] * sums.cosine[lane]) + d[j] * sums.sine[lane];

@@ -51,6 +51,9 @@ class TableOfUnits {
       extend(batch, table_.circulants, from.circulants[at(batch.batch)], &CirculantBatch::faceCount);
     } else if (batch.kind == UnitBatch::Kind::dense) {
       extend(batch, table_.dense, from.dense[at(batch.batch)], &DenseRows::rowCount);
+    } else if (batch.kind == UnitBatch::Kind::summed) {
+      if (last_ != &batch) startSummed();
+      table_.summed.rows.outputs[at(unit - batch.firstUnit)] = outputs_;
     } else {
       ProjectedFace face = from.projected[at(batch.batch)];
       face.firstIndex = static_cast<std::int32_t>(table_.indices.size());
@@ -60,6 +63,12 @@ class TableOfUnits {
     for (const std::int32_t point : level_.sources(batch, unit)) table_.indices.push_back(place_(point));
     outputs_ += batch.outputs;
     last_ = &batch;
+  }
+
+  /// Summed rows and the large faces whose sums they read are in a table all together: no tile makes any.
+  void startSummed() {
+    table_.summed = level_.table->summed;
+    table_.summed.rows.firstIndex = static_cast<std::int32_t>(table_.indices.size());
   }
 
   /// A loose row's weights stand at the place of its indices, so both are laid out anew.
@@ -89,7 +98,7 @@ std::vector<std::vector<std::int32_t>> largeUnits(const TileUnits& units) {
     const LevelUnits& level = units.level(k);
     std::vector<std::int32_t>& here = large.emplace_back();
     for (const UnitBatch& batch : level.batches) {
-      if (batch.kind != UnitBatch::Kind::projected && batch.kind != UnitBatch::Kind::loose) continue;
+      if (batch.kind == UnitBatch::Kind::circulant || batch.kind == UnitBatch::Kind::dense) continue;
       for (std::int32_t u = batch.firstUnit; u < batch.firstUnit + batch.count; ++u) {
         if (level.tooLarge(batch, u)) here.push_back(u);
       }

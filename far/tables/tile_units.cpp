@@ -68,20 +68,27 @@ std::span<const std::int32_t> LevelUnits::sources(const UnitBatch& batch, std::i
       return fixed(table->dense[at(batch.batch)].firstIndex);
     case UnitBatch::Kind::projected:
       return fixed(table->projected[at(batch.batch)].firstIndex);
+    case UnitBatch::Kind::summed:
     case UnitBatch::Kind::loose:
       break;
   }
-  const LooseRows& loose = table->loose;
-  return all.subspan(at(loose.firstIndex + loose.offsets[at(u)]), at(loose.offsets[at(u) + 1] - loose.offsets[at(u)]));
+  const LooseRows& rows = *rowsOf(batch);
+  return all.subspan(at(rows.firstIndex + rows.offsets[at(u)]), at(rows.offsets[at(u) + 1] - rows.offsets[at(u)]));
+}
+
+const LooseRows* LevelUnits::rowsOf(const UnitBatch& batch) const {
+  if (batch.kind == UnitBatch::Kind::loose) return &table->loose;
+  return batch.kind == UnitBatch::Kind::summed ? &table->summed.rows : nullptr;
 }
 
 std::int32_t LevelUnits::firstOutput(const UnitBatch& batch, std::int32_t unit) const {
   const std::int32_t u = unit - batch.firstUnit;
-  return batch.kind == UnitBatch::Kind::loose ? table->loose.outputs[at(u)] : batch.firstOutput + u * batch.outputs;
+  const LooseRows* rows = rowsOf(batch);
+  return rows != nullptr ? rows->outputs[at(u)] : batch.firstOutput + u * batch.outputs;
 }
 
 bool LevelUnits::tooLarge(const UnitBatch& batch, std::int32_t unit) const {
-  if (batch.kind == UnitBatch::Kind::projected) return true;
+  if (batch.kind == UnitBatch::Kind::projected || batch.kind == UnitBatch::Kind::summed) return true;
   return batch.kind == UnitBatch::Kind::loose && std::ssize(sources(batch, unit)) > kMostTileEntries;
 }
 
@@ -120,6 +127,7 @@ void TileUnits::addBatches(LevelUnits& level) {
     const ProjectedFace& face = table.projected[b];
     add({Kind::projected, static_cast<std::int32_t>(b), 0, 1, face.outputs, face.corners, face.firstOutput});
   }
+  add({Kind::summed, 0, 0, table.summed.rowCount(), 1, 0, 0});
   add({Kind::loose, 0, 0, table.loose.rowCount(), 1, 0, 0});
 }
 
@@ -191,7 +199,7 @@ void TileUnits::nameMakers(LevelUnits& level) {
             level.pointPlace[at(first + i)] = static_cast<std::uint8_t>(i);
           }
         },
-        Parallel::kGrain / std::min<std::int64_t>(batch.outputs, Parallel::kGrain));
+        Parallel::kGrain / std::clamp<std::int64_t>(batch.outputs, 1, Parallel::kGrain));
   }
 }
 

@@ -16,14 +16,14 @@ constexpr std::int32_t kMostTileEntries = 256;
 /// The units of one batch of a level table: what a tile takes as a whole. A face of a circulant batch with all its
 /// points, or a row.
 struct UnitBatch {
-  enum class Kind : std::uint8_t { circulant, dense, loose, projected };
+  enum class Kind : std::uint8_t { circulant, dense, loose, projected, summed };
   Kind kind = Kind::circulant;
   std::int32_t batch = 0;        ///< in the table's list of its kind
   std::int32_t firstUnit = 0;    ///< units of a level are numbered batch after batch
   std::int32_t count = 0;        ///< projected: each face is a batch of its own
   std::int32_t outputs = 1;      ///< points a unit
-  std::int32_t width = 0;        ///< points it reads; 0 for loose rows, which differ
-  std::int32_t firstOutput = 0;  ///< not of loose rows
+  std::int32_t width = 0;        ///< points it reads; 0 for loose and summed rows, which differ
+  std::int32_t firstOutput = 0;  ///< not of loose and summed rows
   std::int32_t successor = -1;   ///< the batch of the next level in which its faces live on
 };
 
@@ -41,10 +41,12 @@ struct LevelUnits {
   std::vector<std::uint8_t> pointPlace;
 
   const UnitBatch& batchOf(std::int32_t unit) const;
-  /// The points of the level before that a unit reads.
+  /// The points of the level before that a unit reads; of a summed row those it reads beside the sums.
   std::span<const std::int32_t> sources(const UnitBatch& batch, std::int32_t unit) const;
   std::int32_t firstOutput(const UnitBatch& batch, std::int32_t unit) const;
   bool tooLarge(const UnitBatch& batch, std::int32_t unit) const;
+  /// The rows of a batch of loose or summed ones; of others nullptr.
+  const LooseRows* rowsOf(const UnitBatch& batch) const;
 };
 
 /// The units of the levels behind a root level. A face that reads exactly the points of one face of the level before,

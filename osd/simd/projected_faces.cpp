@@ -123,6 +123,7 @@ HWY_EXPORT(project);
 void projectedFaces(const Far::LevelTable& table, const Piece<float>& piece, std::int64_t begin, std::int64_t end) {
   for (std::int64_t f = begin; f < end; ++f) {
     const Far::ProjectedFace& face = table.projected[at(f)];
+    if (face.outputs == 0) continue;
     const LargeFace large{.source = piece.in.data,
                           .sourceStride = piece.in.stride,
                           .narrowPoint = piece.narrowPoint,

@@ -7,8 +7,17 @@
 namespace honeycomb::Osd {
 
 /// The kernels, one file each in shaders/.
-enum class Kernel : std::uint32_t { circulant, projectedBlocks, projectedSums, projected, dense, loose, limits };
-constexpr std::uint32_t kKernelCount = 7;
+enum class Kernel : std::uint32_t {
+  circulant,
+  projectedBlocks,
+  projectedSums,
+  projected,
+  dense,
+  summed,
+  loose,
+  limits
+};
+constexpr std::uint32_t kKernelCount = 8;
 
 /// The specialisation constants of shaders/evaluate.glsl, by constant_id.
 struct Specialization {

@@ -12,6 +12,7 @@ namespace {
 #include "shaders/projected.comp.h"
 #include "shaders/projected_blocks.comp.h"
 #include "shaders/projected_sums.comp.h"
+#include "shaders/summed.comp.h"
 }  // namespace
 
 std::span<const std::uint32_t> kernelCode(Kernel kernel) {
@@ -26,6 +27,8 @@ std::span<const std::uint32_t> kernelCode(Kernel kernel) {
       return kProjectedComp;
     case Kernel::dense:
       return kDenseComp;
+    case Kernel::summed:
+      return kSummedComp;
     case Kernel::loose:
       return kLooseComp;
     default:

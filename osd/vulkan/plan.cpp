@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "osd/vulkan/projected_plan.h"
+#include "osd/vulkan/summed_plan.h"
 
 namespace honeycomb::Osd {
 
@@ -187,6 +188,8 @@ Result<StagePlan> planLevel(const VulkanLimits& limits, const LevelTable& table,
   if (!dispatches) return tl::unexpected(dispatches.error());
   auto projected = planProjected(stage, table.projected, sections.indices, sections.weights, image);
   if (!projected) return tl::unexpected(projected.error());
+  auto summed = planSummed(stage, table, sections.indices, sections.weights, *projected, image);
+  if (!summed) return tl::unexpected(summed.error());
 
   StagePlan plan;
   plan.sourceBytes = stage.sourceBytes();
@@ -196,7 +199,8 @@ Result<StagePlan> planLevel(const VulkanLimits& limits, const LevelTable& table,
   plan.steps.push_back(std::move(*dispatches));
   if (!projected->blocks.empty()) {
     plan.steps.push_back(std::move(projected->sums));
-    plan.steps.push_back(std::move(projected->outputs));
+    projected->outputs.insert(projected->outputs.end(), summed->begin(), summed->end());
+    if (!projected->outputs.empty()) plan.steps.push_back(std::move(projected->outputs));
   }
   return plan;
 }

@@ -11,7 +11,7 @@ namespace honeycomb::Osd {
 /// The dispatches of a level; its arrays are added to the image, which refers to the table until it is uploaded.
 ///     step 1   circulants, loose rows, block sums of large faces
 ///     step 2   sums of large faces                                 (only where there are large faces)
-///     step 3   outputs of large faces
+///     step 3   outputs of large faces, summed rows
 /// Errors: tooLarge.
 Result<StagePlan> planLevel(const VulkanLimits& limits, const Far::LevelTable& table, const PointLayout& source,
                             const PointLayout& target, TableImage& image);

@@ -29,6 +29,7 @@ struct Group {
 };
 
 std::int64_t weightCount(const ProjectedFace& face) {
+  if (face.outputs == 0) return 2 + std::int64_t{face.corners};
   return 2 + 3 * (std::int64_t{face.corners} + std::int64_t{face.outputs});
 }
 std::int64_t blockCount(const ProjectedFace& face) {
@@ -50,7 +51,7 @@ class ProjectedPlanner {
   std::int64_t sumsPerFace() const { return 3 * std::int64_t{stage_.target().desc.length}; }
   Group with(Group group, std::int64_t f) const;
   bool fits(const Group& group) const;
-  Result<void> planGroup(const Group& group);
+  Result<void> planGroup(const Group& group, const BoundRange& sums);
   Result<Dispatch> bindFaces(const Group& group);
   Result<void> planOutputs(const Group& group, Dispatch dispatch, const BoundRange& sums);
   Result<Slice> wholeSlice(const Section& section) const { return stage_.slice(section, 0, section.count); }
@@ -58,6 +59,7 @@ class ProjectedPlanner {
   Section addBlockTasks(const Group& group);
   Section addOutputTasks(const Group& group);
   BoundRange addPartials(std::int64_t numbers);
+  BoundRange addSums(const Group& group);
   const ProjectedFace& face(std::int64_t f) const { return faces_[static_cast<std::size_t>(f)]; }
 
   const StagePlanner& stage_;
@@ -69,10 +71,17 @@ class ProjectedPlanner {
 
 Result<ProjectedPlan> ProjectedPlanner::plan() {
   const auto count = static_cast<std::int64_t>(faces_.size());
+  std::vector<Group> groups;
+  std::vector<BoundRange> sums;
   for (std::int64_t f = 0; f < count;) {
     Group group = with({}, f++);
     while (f < count && fits(with(group, f))) group = with(group, f++);
-    if (const auto planned = planGroup(group); !planned) return tl::unexpected(planned.error());
+    groups.push_back(group);
+    sums.push_back(addSums(group));
+  }
+  plan_.sumBytes = plan_.partialBytes;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (const auto planned = planGroup(groups[g], sums[g]); !planned) return tl::unexpected(planned.error());
   }
   return std::move(plan_);
 }
@@ -82,7 +91,7 @@ Group ProjectedPlanner::with(Group group, std::int64_t f) const {
   group.faces = group.faces.with(f, 1);
   group.indices = group.indices.with(added.firstIndex, added.corners);
   group.weights = group.weights.with(added.firstWeight, weightCount(added));
-  group.outputs = group.outputs.with(added.firstOutput, added.outputs);
+  if (added.outputs > 0) group.outputs = group.outputs.with(added.firstOutput, added.outputs);
   group.blocks += blockCount(added);
   group.tasks += taskCount(added);
   return group;
@@ -142,6 +151,15 @@ BoundRange ProjectedPlanner::addPartials(std::int64_t numbers) {
   return range;
 }
 
+BoundRange ProjectedPlanner::addSums(const Group& group) {
+  const BoundRange sums = addPartials(group.faces.size() * sumsPerFace());
+  for (std::int64_t f = 0; f < group.faces.size(); ++f) {
+    const std::uint64_t number = sums.offset / sizeof(float) + static_cast<std::uint64_t>(f * sumsPerFace());
+    plan_.sumNumbers.push_back(static_cast<std::uint32_t>(number));
+  }
+  return sums;
+}
+
 // What the three kernels have in common: the faces and where their indices and weights lie.
 Result<Dispatch> ProjectedPlanner::bindFaces(const Group& group) {
   const auto indices = stage_.slice(indices_, group.indices.begin, group.indices.size());
@@ -159,13 +177,12 @@ Result<Dispatch> ProjectedPlanner::bindFaces(const Group& group) {
   return dispatch;
 }
 
-Result<void> ProjectedPlanner::planGroup(const Group& group) {
+Result<void> ProjectedPlanner::planGroup(const Group& group, const BoundRange& sums) {
   const auto faces = bindFaces(group);
   if (!faces) return tl::unexpected(faces.error());
   const auto tasks = wholeSlice(addBlockTasks(group));
   if (!tasks) return tl::unexpected(tasks.error());
   const BoundRange blockSums = addPartials(group.blocks * sumsPerFace());
-  const BoundRange sums = addPartials(group.faces.size() * sumsPerFace());
   const auto length = static_cast<std::uint64_t>(stage_.target().desc.length);
 
   Dispatch blocks = *faces;
@@ -182,7 +199,7 @@ Result<void> ProjectedPlanner::planGroup(const Group& group) {
   rangeOf(totals, Slot::second) = blockSums;
   if (auto shaped = stage_.shape(totals, totals.push.count * 3 * length); !shaped) return shaped;
   plan_.sums.push_back(totals);
-  return planOutputs(group, *faces, sums);
+  return group.tasks > 0 ? planOutputs(group, *faces, sums) : Result<void>{};
 }
 
 Result<void> ProjectedPlanner::planOutputs(const Group& group, Dispatch dispatch, const BoundRange& sums) {

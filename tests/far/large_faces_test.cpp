@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "far/schemes/zhang_wang.h"
+#include "tests/support/creased.h"
 #include "tests/support/refined.h"
+#include "tests/support/scheme_list.h"
 #include "tests/support/shapes.h"
 
 namespace honeycomb::Test {
@@ -25,6 +28,97 @@ std::vector<Vec3> pointsInBothPrecisions(const Far::Refinement& refinement, cons
 void expectLinear(const Far::Refinement& refinement) {
   for (std::int32_t k = 1; k <= refinement.levelCount(); ++k) {
     EXPECT_LT(refinement.level(k).table.byteCount(), std::int64_t{200} * refinement.level(k).topology.halfEdgeCount());
+  }
+}
+
+TEST(LargeFaces, KeepTheTablesOfEverySchemeLinear) {
+  for (const PolyMesh& mesh : {prism(kSides / 20), wheel(kSides / 20)}) {
+    const Far::Topology control = toTopology(mesh);
+    for (const ListedScheme& scheme : listedSchemes()) {
+      const auto chain = scheme.chain(control, 2);
+      if (!chain) continue;  // the half-box of a wheel: nothing is left of it
+      SCOPED_TRACE(scheme.name);
+      const auto refinement = Far::refine(control, *chain, {});
+      ASSERT_TRUE(refinement) << refinement.error().message;
+      expectLinear(*refinement);
+    }
+  }
+}
+
+/// Control points with a central control vertex behind them for each face of the mesh: its barycentre.
+std::vector<Vec3> withBarycentres(const PolyMesh& mesh) {
+  std::vector<Vec3> points = mesh.points;
+  for (const Loop& loop : mesh.faces) {
+    Vec3 sum{};
+    for (const std::size_t v : loop) sum = sum + mesh.points[v];
+    points.push_back((1.0 / static_cast<double>(loop.size())) * sum);
+  }
+  return points;
+}
+
+PolyMesh shaken(PolyMesh mesh, std::uint64_t seed) {
+  Random random(seed);
+  for (Vec3& p : mesh.points) p = p + Vec3{0.5 * random.symmetric(), 0.5 * random.symmetric(), random.symmetric()};
+  return mesh;
+}
+
+/// The points of a level of the chain for control points alone, against those for control points with their barycentres
+/// as central control vertices, which no row of the first level has to make up for itself.
+void expectBarycentresByThemselves(const PolyMesh& mesh, const Far::Topology& control,
+                                   const Far::ZhangWangOptions& options) {
+  const auto chain = Far::zhangWang(control, 2, options);
+  ASSERT_TRUE(chain) << chain.error().message;
+  const auto alone = Far::refine(control, *chain, {});
+  const auto given = Far::refine(control, *chain, {.centralPoints = true});
+  ASSERT_TRUE(alone && given);
+  EXPECT_GT(alone->level(1).table.summed.rowCount(), 0);
+  EXPECT_LT(given->level(1).table.summed.rowCount(), alone->level(1).table.summed.rowCount());
+  for (const std::int32_t level : {1, 2}) {
+    const auto points = levelPoints<double>(*alone, level, mesh.points);
+    const auto expected = levelPoints<double>(*given, level, withBarycentres(mesh));
+    ASSERT_EQ(points.size(), expected.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      ASSERT_LT(distance(points[i], expected[i]), 1e-11) << "level " << level << ", point " << i;
+    }
+  }
+}
+
+TEST(LargeFaces, HaveTheirBarycentresForCentralControlVertices) {
+  for (const PolyMesh& mesh : {prism(kSides), prism(70), pillow(70)}) {
+    const PolyMesh rough = shaken(mesh, 3);
+    ASSERT_NO_FATAL_FAILURE(expectBarycentresByThemselves(rough, toTopology(rough), {}));
+  }
+}
+
+TEST(LargeFaces, HaveCentralControlVerticesCloseInFloat) {
+  const PolyMesh mesh = prism(kSides);
+  const auto chain = Far::zhangWang(toTopology(mesh), 2);
+  ASSERT_TRUE(chain) << chain.error().message;
+  const auto refinement = Far::refine(toTopology(mesh), *chain, {});
+  ASSERT_TRUE(refinement) << refinement.error().message;
+  pointsInBothPrecisions(*refinement, mesh.points);
+}
+
+TEST(LargeFaces, HaveTheirBarycentresBesideInterpolatedVertices) {
+  const PolyMesh mesh = shaken(prism(300), 4);
+  Far::ZhangWangOptions options;
+  options.interpolatedVertices = {0, 7, 450};
+  ASSERT_NO_FATAL_FAILURE(expectBarycentresByThemselves(mesh, toTopology(mesh), options));
+}
+
+TEST(LargeFaces, HaveTheirBarycentresBesideCreases) {
+  const PolyMesh mesh = shaken(prism(90), 5);
+  Far::ZhangWangOptions options;
+  options.boundary = Far::BoundaryRule::brick;
+  options.unchecked = true;
+  for (const double sharpness : {0.5, 1.0, 1.5, 10.0}) {
+    SCOPED_TRACE(testing::Message() << "sharpness " << sharpness);
+    // Round one of the large faces, whose rows change, while those of vertices far from it read its sum as before; and
+    // round a small face beside both.
+    for (const std::size_t face : {std::size_t{0}, std::size_t{5}}) {
+      const Far::Topology control = creased(mesh, creasesRound(mesh, face, sharpness));
+      ASSERT_NO_FATAL_FAILURE(expectBarycentresByThemselves(mesh, control, options));
+    }
   }
 }
 

@@ -268,6 +268,19 @@ TEST(StencilTable, TakesCentralControlVerticesAlong) {
   }
 }
 
+TEST(StencilTable, ComposesRowsThatReadTheSumsOfLargeFaces) {
+  const PolyMesh mesh = prism(90);
+  const Far::Topology topology = toTopology(mesh);
+  const auto schemes = Far::zhangWang(topology, 3);
+  ASSERT_TRUE(schemes) << schemes.error().message;
+  const auto refinement = Far::refine(topology, *schemes, {});
+  ASSERT_TRUE(refinement) << refinement.error().message;
+  ASSERT_GT(refinement->level(1).table.summed.rowCount(), 0);
+  const StencilTable table = built(*refinement, {});
+  ASSERT_NO_FATAL_FAILURE(expectSound(table));
+  EXPECT_LT(largestDistance(evaluated(table, mesh.points), chained(*refinement, mesh.points)), 1e-12);
+}
+
 TEST(StencilTable, IsTheSameOnAnyNumberOfThreads) {
   const Far::Refinement refinement = refined(grid(40, 30), schemeCase(NamedTension::paper).scheme, 2, {}, true);
   for (const StencilKind kind : {StencilKind::points, StencilKind::vertexLimits}) {

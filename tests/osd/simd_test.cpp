@@ -129,6 +129,10 @@ TEST(Simd, LargeFacesByProjections) {
       compareTargets({.sourceCount = 20000, .projected = {65, 256, 257, 512, 1000}, .halfProjected = {66, 513, 100}}));
 }
 
+TEST(Simd, RowsThatReadTheSumsOfLargeFaces) {
+  ASSERT_NO_FATAL_FAILURE(compareTargets({.sourceCount = 2000, .projected = {65, 1000, 300}, .summedRows = 500}));
+}
+
 TEST(Simd, LooseRows) {
   ASSERT_NO_FATAL_FAILURE(compareTargets({.sourceCount = 2000, .looseRows = 1001}));
 }
@@ -138,7 +142,8 @@ TEST(Simd, AllKindsTogether) {
                                           .projected = {65, 700},
                                           .halfProjected = {80},
                                           .dense = {{2, 40}, {4, 70}},
-                                          .looseRows = 77}));
+                                          .looseRows = 77,
+                                          .summedRows = 60}));
 }
 
 TEST(Simd, TargetsTooLargeForACache) {

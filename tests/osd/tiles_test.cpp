@@ -142,6 +142,19 @@ TYPED_TEST(Tiles, LeaveWhatIsTooLargeToAllOfThem) {
   }
 }
 
+TYPED_TEST(Tiles, GiveTheBitsOfTheChainWhereRowsReadTheSumsOfLargeFaces) {
+  Random random(9);
+  for (const PolyMesh& mesh : {prism(500), pillow(100)}) {
+    for (const ListedScheme& scheme : listedSchemes()) {
+      if (!scheme.name.starts_with("zhang-wang")) continue;
+      SCOPED_TRACE(scheme.name);
+      const Far::Refinement refinement = refinedBy(scheme, toTopology(mesh), 3);
+      ASSERT_GT(refinement.level(1).table.summed.rowCount(), 0);
+      ASSERT_NO_FATAL_FAILURE(compareAllLevels<TypeParam>(refinement, 600, random));
+    }
+  }
+}
+
 TYPED_TEST(Tiles, AreTheSameOnAnyNumberOfThreads) {
   const PolyMesh mesh = torus(50, 40);
   const Far::Refinement refinement = refined(mesh, schemeCase(NamedTension::paper).scheme, 3);

@@ -47,7 +47,7 @@ class Builder {
                                 .firstOutput = table_.targetCount,
                                 .firstWeight = sizeOf(table_.weights)});
     addIndices(corners);
-    addWeights(2 + 3 * corners + 3 * outputs);
+    addWeights(outputs == 0 ? 2 + corners : 2 + 3 * corners + 3 * outputs);
     table_.targetCount += outputs;
   }
 
@@ -74,6 +74,29 @@ class Builder {
     for (std::int32_t r = 0; r < rows; ++r) loose.offsets.push_back(loose.offsets.back() + length(random_));
     addIndices(loose.offsets.back());
     addWeights(loose.offsets.back());
+  }
+
+  void addSummed(std::int32_t rows) {
+    addProjected(77, 0, 0);
+    Far::SummedRows& summed = table_.summed;
+    summed.rows.firstIndex = sizeOf(table_.indices);
+    std::uniform_int_distribution<std::int32_t> entries(0, 8);
+    std::uniform_int_distribution<std::int32_t> shares(0, 2);
+    std::uniform_int_distribution<std::int32_t> face(0, sizeOf(table_.projected) - 1);
+    for (std::int32_t r = 0; r < rows; ++r) {
+      const std::int32_t own = entries(random_);
+      const std::int32_t read = own == 0 ? 1 : shares(random_);
+      for (std::int32_t t = 0; t < read; ++t) summed.faces.push_back(face(random_));
+      summed.rows.outputs.push_back(table_.targetCount++);
+      summed.rows.offsets.push_back(summed.rows.offsets.back() + own);
+      summed.shareOffsets.push_back(sizeOf(summed.faces));
+    }
+    std::shuffle(summed.rows.outputs.begin(), summed.rows.outputs.end(), random_);
+    addIndices(summed.rows.offsets.back());
+    summed.rows.firstWeight = sizeOf(table_.weights);
+    addWeights(summed.rows.offsets.back());
+    summed.firstShare = sizeOf(table_.weights);
+    addWeights(sizeOf(summed.faces));
   }
 
   Far::LevelTable take() {
@@ -103,6 +126,7 @@ Far::LevelTable randomTable(const TableShape& shape, std::uint32_t seed) {
   for (const std::int32_t corners : shape.projected) builder.addProjected(corners, corners, 0);
   for (const std::int32_t corners : shape.halfProjected) builder.addProjected(corners, corners / 2, corners - 3);
   for (const auto& rows : shape.dense) builder.addDense(rows);
+  if (shape.summedRows > 0) builder.addSummed(shape.summedRows);
   if (shape.looseRows > 0) builder.addLoose(shape.looseRows);
   return builder.take();
 }

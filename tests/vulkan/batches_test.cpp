@@ -56,6 +56,12 @@ TEST_F(BatchesTest, SeveralLargeFaces) {
   EXPECT_TRUE(agree({.projected = {65, 1000, 300, 66, 513}}));
 }
 
+TEST_F(BatchesTest, RowsThatReadTheSumsOfLargeFaces) {
+  EXPECT_TRUE(agree({.projected = {65, 1000, 300}, .summedRows = 500}));
+  EXPECT_TRUE(agree({.circulants = {{6, 50}}, .summedRows = 70}));
+  EXPECT_TRUE(agree({.circulants = {{6, 50}}, .projected = {100000}, .looseRows = 90, .summedRows = 1}));
+}
+
 TEST_F(BatchesTest, HalvesOfLargeFaces) {
   EXPECT_TRUE(agree({.halfProjected = {65, 1000, 100, 513}}));
 }

@@ -23,6 +23,8 @@ TEST_F(PagingTest, EveryBatchOverSeveralPages) {
   EXPECT_TRUE(
       agrees(evaluator, {randomTable({.sourceCount = 4000, .projected = {65, 300, 66, 70, 200, 330}})}, {}, {}));
   EXPECT_TRUE(agrees(evaluator, {randomTable({.sourceCount = 4000, .looseRows = 6000})}, {}, {}));
+  EXPECT_TRUE(
+      agrees(evaluator, {randomTable({.sourceCount = 4000, .projected = {65, 300, 66}, .summedRows = 3000})}, {}, {}));
   EXPECT_TRUE(agrees(
       evaluator, {randomTable({.sourceCount = 4000, .dense = {{1, 2500}, {2, 1500}, {4, 3000}, {16, 700}}})}, {}, {}));
   EXPECT_TRUE(agrees(

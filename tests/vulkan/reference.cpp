@@ -159,6 +159,30 @@ void loose(const Far::LevelTable& table, Component in, WritableComponent out) {
   }
 }
 
+void summed(const Far::LevelTable& table, Component in, WritableComponent out) {
+  const Far::SummedRows& rows = table.summed;
+  std::vector<float> sums;
+  for (const Far::ProjectedFace& face : rows.rowCount() > 0 ? table.projected : decltype(table.projected){}) {
+    sums.push_back(blockedSum(static_cast<std::size_t>(face.corners), [&](std::size_t j) {
+      const auto corner = static_cast<std::int64_t>(j);
+      return at(table.weightsSingle, face.firstWeight + 2 + corner) * in[at(table.indices, face.firstIndex + corner)];
+    }));
+  }
+  for (std::int32_t r = 0; r < rows.rowCount(); ++r) {
+    std::vector<float> terms;
+    for (std::int32_t b = at(rows.rows.offsets, r); b < at(rows.rows.offsets, r + 1); ++b) {
+      terms.push_back(at(table.weightsSingle, rows.rows.firstWeight + b) *
+                      in[at(table.indices, rows.rows.firstIndex + b)]);
+    }
+    for (std::int32_t t = at(rows.shareOffsets, r); t < at(rows.shareOffsets, r + 1); ++t) {
+      terms.push_back(at(table.weightsSingle, rows.firstShare + t) * at(sums, at(rows.faces, t)));
+    }
+    float sum = terms.front();
+    for (std::size_t i = 1; i < terms.size(); ++i) sum = sum + terms[i];
+    out[at(rows.rows.outputs, r)] = sum;
+  }
+}
+
 using Vector = std::array<float, 3>;
 
 Vector unitNormal(const Vector& s, const Vector& t) {
@@ -177,8 +201,11 @@ void evaluateLevel(const Far::LevelTable& table, const std::vector<float>& sourc
     const Component in{source, sourceDesc, c};
     const WritableComponent out{target, targetDesc, c};
     for (const auto& batch : table.circulants) circulant(table, batch, in, out);
-    for (const auto& face : table.projected) projected(table, face, in, out);
+    for (const auto& face : table.projected) {
+      if (face.outputs > 0) projected(table, face, in, out);
+    }
     for (const auto& batch : table.dense) dense(table, batch, in, out);
+    summed(table, in, out);
     loose(table, in, out);
   }
 }

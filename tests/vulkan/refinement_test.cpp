@@ -103,6 +103,17 @@ TEST_F(RefinementTest, OfLargeFaces) {
   compare(refined(mesh, schemeCase(0.6).scheme, 2, {}, true), Meshes::pack<float>(mesh.points));
 }
 
+TEST_F(RefinementTest, OfLargeFacesWithCentralControlVertices) {
+  const Meshes::PolyMesh mesh = Meshes::prism(3000);
+  for (const Meshes::ListedScheme& scheme : Meshes::listedSchemes()) {
+    if (!scheme.name.starts_with("zhang-wang")) continue;
+    SCOPED_TRACE(scheme.name);
+    const Far::Refinement refinement = Meshes::refinedBy(scheme, Meshes::toTopology(mesh), 2, true);
+    compare(refinement, Meshes::pack<float>(mesh.points));
+    compare(refinement, Meshes::pack<float>(mesh.points), {.maxStorageBufferRange = 1 << 19});
+  }
+}
+
 TEST_F(RefinementTest, OverSeveralPages) {
   const Meshes::PolyMesh mesh = Meshes::torus(30, 20);
   compare(refined(mesh, schemeCase(0.6).scheme, 3, {}, true), Meshes::pack<float>(mesh.points),
