@@ -26,7 +26,28 @@ void SourceLevel::addCentral(std::int32_t f, double weight, Row& row) const {
   }
 }
 
+namespace {
+
+/// Rows of up to this many entries are compared pair by pair: faster than any order of them.
+constexpr std::size_t kShortRow = 32;
+
+void mergeShort(Row& row) {
+  auto kept = row.begin();
+  for (auto entry = row.begin(); entry != row.end(); ++entry) {
+    const auto first = std::find_if(row.begin(), kept, [&](const Weight& w) { return w.point == entry->point; });
+    if (first == kept) {
+      *kept++ = *entry;
+    } else {
+      first->weight += entry->weight;
+    }
+  }
+  row.erase(kept, row.end());
+}
+
+}  // namespace
+
 void mergeEntries(Row& row) {
+  if (row.size() <= kShortRow) return mergeShort(row);
   std::vector<std::size_t> order(row.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
