@@ -84,7 +84,7 @@ Result<void> TileEvaluator::check(const Far::TileTable& tiles, std::int32_t leve
   const std::int32_t count = tiles.pointCount[at(level)];
   if (auto ok = checkPoints(control, tiles.pointCount.front(), refined, count); !ok) return ok;
   if (request.normals.data.empty()) return {};
-  if (tiles.normals.shared.empty()) {
+  if (tiles.normalKind == Far::TileNormalKind::none) {
     return fail(ErrorCode::invalidOption, "the tiles were built without normals; ask for them in TileOptions");
   }
   if (level != tiles.lastLevel) {
@@ -130,6 +130,8 @@ void TileEvaluator::evaluateTile(const Far::TileTable& tiles, std::int32_t numbe
   };
   const Points<Real>& root = shared.root();
   const Far::Tile& tile = tiles.tiles[at(number)];
+  const bool behind = !normals.data.empty() && tiles.normalKind == Far::TileNormalKind::exact;
+  const std::int32_t last = behind ? level + 1 : level;
   const bool vectors = options_.instructions == CpuEvaluator::Instructions::vectors;
   for (std::int32_t done = 0; done < root.desc.length; done += kPiece) {
     View<const Real> in = viewOf(root);
@@ -137,7 +139,7 @@ void TileEvaluator::evaluateTile(const Far::TileTable& tiles, std::int32_t numbe
     in.data += done;
     out.data += done;
     const View<const Real> sharedPoints{shared.points().data() + done, root.desc.length};
-    const Kernels::TileViews<Real> views{in, sharedPoints, out, scratch.points, level, streamed(refined)};
+    const Kernels::TileViews<Real> views{in, sharedPoints, out, scratch.points, level, last, streamed(refined)};
     forPieceWidth(std::min(kPiece, root.desc.length - done), [&](auto width) {
       if constexpr (std::is_same_v<Real, float>) {
         if (vectors) return Simd::evaluateTile(tiles, tile, views, width());

@@ -26,10 +26,12 @@ struct TileEvaluatorOptions {
 /// What else is wanted of an evaluation.
 template <class Real>
 struct TileRequest {
-  /// Unit normals of the last level's points (length 3), of tiles built with normals: see NormalRule. Empty: none.
+  /// Unit normals of the last level's points (length 3), of the kind that the tiles were built with; the zero vector
+  /// of points that are not vertices. Empty: none.
   PointsOut<Real> normals = {};
   /// Ascending numbers of tiles: the points of these and those that no tile writes, at their cost; others are left
-  /// untouched. Levels up to the tiles' root level are written whole. None: all.
+  /// untouched. Levels up to the tiles' root level are written whole. Exact normals of vertices that read too many
+  /// points for a tile (kMostTileEntries) are written with any choice. None: all.
   std::optional<std::span<const std::int32_t>> only = {};
 };
 

@@ -35,34 +35,57 @@ struct TileViews {
   View<Real> target;        ///< points of the wanted level
   Real* scratch;            ///< the tile's own points, kTileStride apart
   std::int32_t level;       ///< the wanted level, behind the root level
+  std::int32_t last;        ///< that, or the one behind it where its points are to be kept too
   Real* stream = nullptr;   ///< room for kStreamNumbers and a point, on a cache line: the target is written past the
                             ///< caches; none: as all else
 };
 
-/// A stage's outputs: in the scratch, or in the target where its level is the wanted one.
-struct StageTarget {
-  bool wanted = false;
-  const std::int32_t* outputs = nullptr;  ///< wanted, TileOrder::levels: first output of each face or row
-  std::int32_t first = 0;                 ///< else: output of the first, the others follow
-  std::int32_t of(std::int32_t item, std::int32_t each) const {
-    return outputs != nullptr ? outputs[item] : first + item * each;
+/// A place in the target for each face (or row) of a step: that of its first point.
+struct Outputs {
+  const std::int32_t* each = nullptr;  ///< TileOrder::levels: one a face
+  std::int32_t first = 0;              ///< TileOrder::tiles: of the first face, the others follow
+  std::int32_t of(std::int32_t face, std::int32_t points) const {
+    return each != nullptr ? each[face] : first + face * points;
   }
 };
 
-inline StageTarget stageTarget(const Far::TileTable& table, const Far::TileStep& step, std::int32_t s,
-                               std::int32_t level) {
-  const Far::TileStage& stage = table.stages[at(step.firstStage + s)];
-  if (step.level + s < level) return {false, nullptr, stage.firstPoint};
-  if (table.order == Far::TileOrder::tiles) return {true, nullptr, stage.firstOutput};
-  return {true, table.outputs.data() + stage.firstOutput, 0};
+/// `first`: as TileStage::firstOutput.
+inline Outputs outputsFrom(const Far::TileTable& table, std::int32_t first) {
+  if (table.order == Far::TileOrder::tiles) return {nullptr, first};
+  return {table.outputs.data() + first, 0};
 }
 
-/// How many of a step's stages are evaluated for a wanted level: those before it that the tile reads, and its own if
-/// the tile writes it.
-inline std::int32_t stagesFor(const Far::TileTable& table, const Far::TileStep& step, std::int32_t level) {
-  const std::int32_t upTo = std::min<std::int32_t>(step.stageCount, level - step.level + 1);
-  if (upTo < 1 || step.level + upTo - 1 < level) return upTo;
+/// Where a stage's points go: to the scratch where others read them, to the target where its level is the wanted one
+/// and the tile writes it.
+struct StageTarget {
+  std::int32_t kept = -1;  ///< the tile's number of the first, the others follow; -1: not kept
+  bool wanted = false;
+  Outputs outputs;
+};
+
+inline StageTarget stageTarget(const Far::TileTable& table, const Far::TileStep& step, std::int32_t s,
+                               std::int32_t level, std::int32_t last) {
+  const Far::TileStage& stage = table.stages[at(step.firstStage + s)];
+  const std::int32_t here = step.level + s;
+  StageTarget target;
+  if (here < level || last > level) target.kept = stage.firstPoint;
+  target.wanted = here == level && stage.firstOutput >= 0;
+  if (target.wanted) target.outputs = outputsFrom(table, stage.firstOutput);
+  return target;
+}
+
+/// How many of a step's stages are evaluated: those whose points the tile reads, and that of the wanted level if the
+/// tile writes it.
+inline std::int32_t stagesFor(const Far::TileTable& table, const Far::TileStep& step, std::int32_t level,
+                              std::int32_t last) {
+  const std::int32_t upTo = std::min<std::int32_t>(step.stageCount, last - step.level + 1);
+  if (upTo < 1 || last > level || step.level + upTo - 1 < level) return upTo;
   return table.stages[at(step.firstStage + upTo - 1)].firstOutput >= 0 ? upTo : upTo - 1;
+}
+
+/// The points of a step's outputs of the last level.
+inline Outputs lastOutputs(const Far::TileTable& table, const Far::TileStep& step) {
+  return outputsFrom(table, table.stages[at(step.firstStage + step.stageCount - 1)].firstOutput);
 }
 
 template <int Width, class Real>
@@ -86,40 +109,50 @@ void tileFaces(const Far::TileTable& table, const Far::TileStep& step, std::int3
   for (std::int32_t g = 0; g < step.count; ++g, index += n) {
     for (std::int32_t i = 0; i < n; ++i) p[i] = load<Width>(read.point(index[i]));
     for (std::int32_t s = 0; s < stages; ++s) {
-      const StageTarget target = stageTarget(table, step, s, views.level);
-      const View<Real>& out = target.wanted ? views.target : own;
-      const std::int32_t first = target.of(g, n);
+      const StageTarget target = stageTarget(table, step, s, views.level, views.last);
+      const bool kept = target.kept >= 0;
+      const View<Real>& out = kept ? own : views.target;
+      const std::int32_t first = kept ? target.kept + g * n : target.outputs.of(g, n);
       const Real* weights = table.weightsAs<Real>().data() + table.stages[at(step.firstStage + s)].firstWeight;
       circulantFace<N>(step.form, weights, p, n, out, first);
+      if (kept && target.wanted) {
+        const std::int32_t also = target.outputs.of(g, n);
+        for (std::int32_t i = 0; i < n; ++i) store(load<Width>(out.point(first + i)), views.target.point(also + i));
+      }
       if (s + 1 == stages) break;
       for (std::int32_t i = 0; i < n; ++i) p[i] = load<Width>(out.point(first + i));
     }
   }
 }
 
+/// The point of a row to wherever it is wanted.
+template <int Width, class Real>
+void storeRow(const std::array<Real, at(Width)>& point, const StageTarget& target, std::int32_t row,
+              const TileViews<Real>& views) {
+  if (target.kept >= 0) store(point, views.scratch + std::int64_t{kTileStride} * (target.kept + row));
+  if (target.wanted) store(point, views.target.point(target.outputs.of(row, 1)));
+}
+
 template <int Width, class Real>
 void tileDense(const Far::TileTable& table, const Far::TileStep& step, const TileViews<Real>& views) {
-  const StageTarget target = stageTarget(table, step, 0, views.level);
-  const View<Real> own{views.scratch, kTileStride};
-  const View<Real>& out = target.wanted ? views.target : own;
+  const StageTarget target = stageTarget(table, step, 0, views.level, views.last);
+  const View<const Real> own = byTilePoint<Real>(views.scratch);
   const Real* w = table.weightsAs<Real>().data() + table.stages[at(step.firstStage)].firstWeight;
   const Far::TilePoint* index = table.indices.data() + step.firstIndex;
   for (std::int32_t r = 0; r < step.count; ++r, index += step.width) {
-    store(rowSum<Width>(w, index, 0, step.width, byTilePoint<Real>(own.data)), out.point(target.of(r, 1)));
+    storeRow<Width>(rowSum<Width>(w, index, 0, step.width, own), target, r, views);
   }
 }
 
 template <int Width, class Real>
 void tileLoose(const Far::TileTable& table, const Far::TileStep& step, const TileViews<Real>& views) {
-  const StageTarget target = stageTarget(table, step, 0, views.level);
-  const View<Real> own{views.scratch, kTileStride};
-  const View<Real>& out = target.wanted ? views.target : own;
+  const StageTarget target = stageTarget(table, step, 0, views.level, views.last);
+  const View<const Real> own = byTilePoint<Real>(views.scratch);
   const Real* weights = table.weightsAs<Real>().data();
   const Far::TilePoint* index = table.indices.data() + step.firstIndex;
   for (std::int32_t r = 0; r < step.count; ++r) {
     const Far::TileRow& row = table.rows[at(step.firstRow + r)];
-    store(rowSum<Width>(weights + row.firstWeight, index, 0, row.entries, byTilePoint<Real>(own.data)),
-          out.point(target.of(r, 1)));
+    storeRow<Width>(rowSum<Width>(weights + row.firstWeight, index, 0, row.entries, own), target, r, views);
     index += row.entries;
   }
 }
@@ -128,7 +161,7 @@ template <int Width, class Real>
 void evaluateTile(const Far::TileTable& table, const Far::Tile& tile, const TileViews<Real>& views) {
   importPoints<Width>(table, tile, views);
   for (const Far::TileStep& step : std::span(table.steps).subspan(at(tile.firstStep), at(tile.stepCount))) {
-    const std::int32_t stages = stagesFor(table, step, views.level);
+    const std::int32_t stages = stagesFor(table, step, views.level, views.last);
     if (stages < 1) continue;
     switch (step.kind) {
       case Far::TileStep::Kind::circulant:

@@ -7,7 +7,7 @@
 #include "far/tables/tile_table.h"
 #include "osd/tile_kernels.h"
 
-/// Fast normals of tiles in plain loops, behind the points of the same tile.
+/// Normals of tiles in plain loops, behind the points of the same tile.
 namespace honeycomb::Osd::Kernels {
 
 /// What a tile's normals are found from and where they go.
@@ -46,12 +46,12 @@ template <class Real>
 void tileVertexNormals(const Far::TileTable& table, std::int32_t number, const NormalViews<Real>& views) {
   const Far::TileNormals& normals = table.normals;
   const Far::TileStep& step = table.steps[at(number)];
-  const StageTarget target = stageTarget(table, step, step.stageCount - 1, table.lastLevel);
+  const Outputs outputs = lastOutputs(table, step);
   const View<const Real> own = byTilePoint<Real>(views.scratch);
   const Far::TilePoint* face = normals.faces.data() + normals.firstFace[at(number)];
   if (step.kind != Far::TileStep::Kind::circulant) {
     for (std::int32_t r = 0; r < step.count; face += 1 + face[0], ++r) {
-      store(normalSum(face + 1, face[0], own), views.target.point(target.of(r, 1)));
+      store(normalSum(face + 1, face[0], own), views.target.point(outputs.of(r, 1)));
     }
     return;
   }
@@ -59,7 +59,7 @@ void tileVertexNormals(const Far::TileTable& table, std::int32_t number, const N
   for (std::int32_t g = 0; g < step.count; ++g) {
     const auto twice = load<3>(own.point(face[0])) + load<3>(own.point(face[0]));
     ++face;
-    const std::int32_t first = target.of(g, step.width);
+    const std::int32_t first = outputs.of(g, step.width);
     for (std::int32_t i = 0; i < step.width; ++i) {
       auto sum = twice;
       for (std::int32_t j = 0; j < neighbours; ++j) sum = sum + load<3>(own.point(*face++));
@@ -68,9 +68,34 @@ void tileVertexNormals(const Far::TileTable& table, std::int32_t number, const N
   }
 }
 
+/// The exact normals of the points that a tile writes.
+template <class Real>
+void evaluateTileLimits(const Far::TileTable& table, std::int32_t number, const Real* points,
+                        const NormalViews<Real>& views) {
+  const Far::TileLimits& limits = table.limits;
+  const Far::TileLimits::Range& range = limits.tiles[at(number)];
+  const View<const Real> own = byTilePoint(points);
+  for (const Far::TileVertexFrames& frames :
+       std::span(limits.frames).subspan(at(range.firstFrames), at(range.framesCount))) {
+    const std::int32_t n = frames.sides;
+    const Outputs outputs = outputsFrom(table, frames.firstOutput);
+    const Real* w = limits.weightsAs<Real>().data() + frames.firstWeight;
+    const Far::TilePoint* index = limits.indices.data() + frames.firstIndex;
+    for (std::int32_t g = 0; g < frames.count; ++g) {
+      const std::int32_t first = outputs.of(g, frames.each);
+      for (std::int32_t i = 0; i < frames.each; ++i, index += n) {
+        const auto t1 = blockedSum<3>(w + n, index, n, own);
+        const auto t2 = blockedSum<3>(w + 2 * std::int64_t{n}, index, n, own);
+        store(unitNormal(t1, t2), views.target.point(first + i));
+      }
+    }
+  }
+}
+
 template <class Real>
 void evaluateTileNormals(const Far::TileTable& table, std::int32_t number, const Real* points,
                          const NormalViews<Real>& views) {
+  if (table.normalKind == Far::TileNormalKind::exact) return evaluateTileLimits(table, number, points, views);
   tileFaceNormals(table.normals, table.normals.tiles[at(number)], points, views);
   const Far::Tile& tile = table.tiles[at(number)];
   for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {

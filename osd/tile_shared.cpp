@@ -13,16 +13,19 @@ template <class Real>
 Result<void> TileShared<Real>::evaluate(CpuEvaluator& evaluator, const Far::Refinement& refinement,
                                         const Far::TileTable& tiles, std::int32_t level, const Points<Real>& control,
                                         const PointsOut<Real>& refined, const PointsOut<Real>& normals) {
-  const bool wantNormals = !normals.data.empty();
-  normals_.resize(wantNormals ? 3 * at(tiles.normals.sharedCount) : 0);
+  const auto wanted = [&](Far::TileNormalKind kind) { return !normals.data.empty() && tiles.normalKind == kind; };
+  const bool fast = wanted(Far::TileNormalKind::fast);
+  const bool exact = wanted(Far::TileNormalKind::exact);
+  normals_.resize(fast ? 3 * at(tiles.normals.sharedCount) : 0);
   root_ = control;
-  if (auto done = evaluateRoot(evaluator, refinement, tiles, wantNormals); !done) return done;
+  if (auto done = evaluateRoot(evaluator, refinement, tiles, fast); !done) return done;
   if (tiles.shared.empty()) return {};
-  if (auto done = evaluateSets(evaluator, tiles, level, refined); !done) return done;
-  if (!wantNormals) return {};
+  if (auto done = evaluateSets(evaluator, tiles, level, exact ? level + 1 : level, refined); !done) return done;
   const std::int32_t length = control.desc.length;
+  if (exact) findNormals(tiles.limits.shared, {shared_, {0, length, length}}, viewOf(normals));
+  if (!fast) return {};
   for (std::int32_t k = tiles.rootLevel + 1; k < tiles.lastLevel; ++k) {
-    findNormals(tiles.normals.shared[at(k)], {shared_, {0, length, length}});
+    findNormals(tiles.normals.shared[at(k)], {shared_, {0, length, length}}, {normals_.data(), 3});
   }
   writeNormals(tiles, normals);
   return {};
@@ -41,20 +44,20 @@ Result<void> TileShared<Real>::evaluateRoot(CpuEvaluator& evaluator, const Far::
       if (auto done = evaluator.evaluate(table, root_, PointsOut<Real>{points, packed}); !done) return done;
       root_ = {points, packed};
     }
-    if (normals) findNormals(tiles.normals.shared[at(k)], root_);
+    if (normals) findNormals(tiles.normals.shared[at(k)], root_, {normals_.data(), 3});
   }
   return {};
 }
 
-/// Set behind set, each from the one before.
+/// Set behind set, each from the one before, up to level `last`.
 template <class Real>
 Result<void> TileShared<Real>::evaluateSets(CpuEvaluator& evaluator, const Far::TileTable& tiles, std::int32_t level,
-                                            const PointsOut<Real>& refined) {
+                                            std::int32_t last, const PointsOut<Real>& refined) {
   const std::int32_t length = root_.desc.length;
-  const Far::SharedPoints& last = tiles.shared.back();
-  shared_.resize(at(last.firstPoint + last.table.targetCount) * at(length));
+  const Far::SharedPoints& lastSet = tiles.shared.back();
+  shared_.resize(at(lastSet.firstPoint + lastSet.table.targetCount) * at(length));
   Points<Real> source = root_;
-  for (std::int32_t k = tiles.rootLevel + 1; k <= level; ++k) {
+  for (std::int32_t k = tiles.rootLevel + 1; k <= last; ++k) {
     const Far::SharedPoints& set = tiles.shared[at(k - tiles.rootLevel - 1)];
     const std::span<Real> points =
         std::span(shared_).subspan(at(set.firstPoint) * at(length), at(set.table.targetCount) * at(length));
@@ -63,7 +66,7 @@ Result<void> TileShared<Real>::evaluateSets(CpuEvaluator& evaluator, const Far::
       if (auto done = evaluator.evaluate(set.table, source, PointsOut<Real>{points, packed}); !done) return done;
     }
     source = {points, packed};
-    if (k < level) continue;
+    if (k != level) continue;
     for (const Far::SharedPoints::Run& run : set.written) {
       for (std::int32_t i = 0; i < run.count; ++i) {
         std::copy_n(points.data() + at(run.point + i) * at(length), length,
@@ -75,10 +78,10 @@ Result<void> TileShared<Real>::evaluateSets(CpuEvaluator& evaluator, const Far::
 }
 
 template <class Real>
-void TileShared<Real>::findNormals(const Far::LimitRows& rows, const Points<Real>& points) {
+void TileShared<Real>::findNormals(const Far::LimitRows& rows, const Points<Real>& points, const View<Real>& normals) {
   const View<const Real> in = viewOf(points);
   for (const Far::FrameBatch& batch : rows.batches) {
-    Kernels::frames(rows, batch, in, View<Real>{nullptr, 0}, View<Real>{normals_.data(), 3}, 0, batch.count);
+    Kernels::frames(rows, batch, in, View<Real>{nullptr, 0}, normals, 0, batch.count);
   }
 }
 

@@ -8,10 +8,12 @@
 #include "far/tables/tile_table.h"
 #include "osd/buffer_descriptor.h"
 #include "osd/cpu_evaluator.h"
+#include "osd/piece.h"
 
 namespace honeycomb::Osd {
 
-/// What all tiles read, evaluated before them: the root level, the points too large for a tile, their normals.
+/// What all tiles read, evaluated before them: the root level, the points too large for a tile; and the normals of
+/// these.
 template <class Real>
 class TileShared {
  public:
@@ -28,9 +30,9 @@ class TileShared {
  private:
   Result<void> evaluateRoot(CpuEvaluator& evaluator, const Far::Refinement& refinement, const Far::TileTable& tiles,
                             bool normals);
-  Result<void> evaluateSets(CpuEvaluator& evaluator, const Far::TileTable& tiles, std::int32_t level,
+  Result<void> evaluateSets(CpuEvaluator& evaluator, const Far::TileTable& tiles, std::int32_t level, std::int32_t last,
                             const PointsOut<Real>& refined);
-  void findNormals(const Far::LimitRows& rows, const Points<Real>& points);
+  static void findNormals(const Far::LimitRows& rows, const Points<Real>& points, const View<Real>& normals);
   void writeNormals(const Far::TileTable& tiles, const PointsOut<Real>& normals) const;
 
   Points<Real> root_;

@@ -13,23 +13,33 @@ namespace honeycomb::Bench {
 
 namespace {
 
+Far::TileNormalKind kindOf(Normals normals) {
+  switch (normals) {
+    case Normals::none:
+      return Far::TileNormalKind::none;
+    case Normals::fast:
+      return Far::TileNormalKind::fast;
+    case Normals::exact:
+      break;
+  }
+  return Far::TileNormalKind::exact;
+}
+
 Result<Prepared> prepareTiles(const Problem& problem, Osd::CpuEvaluator::Threads threads) {
-  if (problem.normals == Normals::exact) return tl::unexpected(withoutNormals(problem).error());
-  const bool normals = problem.normals == Normals::fast;
   const Stopwatch stopwatch;
   Far::TileOptions options;
   options.scratchPoints = Osd::tilePoints();
-  options.normals = normals;
+  options.normals = kindOf(problem.normals);
   Result<Far::TileTable> built = Far::buildTileTable(problem.refinement, options);
   if (!built) return tl::unexpected(built.error());
   Prepared prepared;
   prepared.buildMs = problem.tablesMs + stopwatch.milliseconds();
   const auto tiles = std::make_shared<const Far::TileTable>(std::move(*built));
   const auto evaluator = std::make_shared<Osd::TileEvaluator>(Osd::TileEvaluatorOptions{threads});
-  prepared.frame = [evaluator, tiles, problem, normals] {
+  prepared.frame = [evaluator, tiles, problem] {
     const Osd::BufferDescriptor& desc = problem.layout.desc;
     Osd::TileRequest<float> request;
-    if (normals) request.normals = {problem.vertexNormals, {}};
+    if (problem.normals != Normals::none) request.normals = {problem.vertexNormals, {}};
     return evaluator->evaluate<float>(problem.refinement, *tiles, tiles->lastLevel, {problem.control, desc},
                                       {problem.refined, desc}, request);
   };

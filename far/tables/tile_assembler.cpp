@@ -9,23 +9,36 @@ namespace honeycomb::Far {
 
 TilePlan::TilePlan(const Refinement& refinement, std::int32_t root, std::int32_t last, std::int32_t pointsPerTile,
                    const TileOptions& options)
-    : units(refinement, root, last),
+    : units(refinement, root, last, lastRead(last, options)),
       large(largeUnits(units)),
-      normals(options.normals ? std::optional<TileNormalPlan>(std::in_place, refinement, units, large) : std::nullopt),
-      sharing(units, large, normals ? normals->sharedCorners() : std::vector<std::vector<std::int32_t>>{}),
+      normals(options.normals == TileNormalKind::fast
+                  ? std::optional<TileNormalPlan>(std::in_place, refinement, units, large)
+                  : std::nullopt),
+      limits(options.normals == TileNormalKind::exact
+                 ? std::optional<TileLimitPlan>(std::in_place, refinement.limits(), units, large)
+                 : std::nullopt),
+      sharing(units, large, wantedPoints()),
       owners(growTiles(units, sharing, pointsPerTile)),
       order(options.order) {
   if (normals) normals->share(sharing);
+  if (limits) limits->share(sharing);
   std::int32_t weights = 0;
-  for (std::int32_t k = 0; k <= last; ++k) {
+  for (std::int32_t k = 0; k <= units.last(); ++k) {
     firstWeights_.push_back(weights);
-    if (k > root) weights += static_cast<std::int32_t>(refinement.level(k).table.weights.size());
+    if (k > root) weights += static_cast<std::int32_t>(units.level(k).table->weights.size());
   }
   listOwned();
 }
 
+/// What normals need to be shared.
+std::vector<std::vector<std::int32_t>> TilePlan::wantedPoints() const {
+  if (normals) return normals->sharedCorners();
+  if (limits) return limits->sharedPoints();
+  return {};
+}
+
 void TilePlan::listOwned() {
-  for (std::int32_t k = units.root() + 1; k <= units.last(); ++k) {
+  for (std::int32_t k = units.root() + 1; k <= units.wanted(); ++k) {
     const LevelUnits& level = units.level(k);
     // Chains of nobody go behind the last tile.
     std::vector<std::int32_t> keys(at(level.unitCount));
@@ -90,21 +103,24 @@ void TileAssembler::add(std::int32_t tile, TileParts& parts) {
   if (plan_.normals) numberNormals(parts);
   for (std::int32_t k = plan_.units.root() + 1; k <= plan_.units.last(); ++k) addSteps(k, parts);
   if (plan_.normals) addFrames(parts);
+  if (plan_.limits) addLimits(std::span(parts.steps).subspan(at(made.firstStep)), parts);
   made.stepCount = static_cast<std::int32_t>(parts.steps.size()) - made.firstStep;
   made.pointCount = pointCount_;
   parts.largestTile = std::max(parts.largestTile, pointCount_);
   parts.tiles.push_back(made);
 }
 
-/// The chains a tile holds: its own to their ends, and those whose points are read to the last level where they are.
+/// The chains a tile holds: its own to their ends or the wanted level, and those whose points are read to the last
+/// level where they are.
 void TileAssembler::collect() {
   const TileUnits& units = plan_.units;
   imports_.clear();
   for (auto& births : births_) births.clear();
-  for (std::int32_t k = units.root() + 1; k <= units.last(); ++k) {
-    for (const std::int32_t chain : plan_.owned(k, tile_)) touch(chain, units.end(chain));
+  for (std::int32_t k = units.root() + 1; k <= units.wanted(); ++k) {
+    for (const std::int32_t chain : plan_.owned(k, tile_)) touch(chain, std::min(units.end(chain), units.wanted()));
   }
   if (plan_.normals) collectNormals();
+  if (plan_.limits) collectLimits();
   for (std::int32_t k = units.last(); k > units.root(); --k) {
     const LevelUnits& level = units.level(k);
     std::vector<std::uint64_t>& births = births_[at(k - units.root() - 1)];
@@ -215,9 +231,8 @@ TilePoint TileAssembler::ownNumber(std::int32_t k, std::int32_t point, const Til
   const LevelUnits& level = units.level(k);
   const Held& held = held_[at(level.pointChain[at(point)])];
   const TileStep& step = parts.steps[at(held.step)];
-  const std::int32_t outputs = step.kind == TileStep::Kind::circulant ? step.width : 1;
   const std::int32_t first = parts.stages[at(step.firstStage + k - step.level)].firstPoint;
-  return tilePoint(first + held.place * outputs + level.pointPlace[at(point)]);
+  return tilePoint(first + held.place * outputsOf(step) + level.pointPlace[at(point)]);
 }
 
 std::int32_t TileAssembler::weightOf(std::int32_t k, const UnitBatch& batch) const {
@@ -241,11 +256,11 @@ void TileAssembler::addStages(std::int32_t k, const UnitBatch& batch, std::span<
     const LevelUnits& level = units.level(j);
     TileStage stage;
     stage.firstWeight = weightOf(j, *here);
-    if (j < units.last()) {
+    if (units.read(j)) {
       stage.firstPoint = pointCount_;
       pointCount_ += step.count * batch.outputs;
     }
-    if (owned) addOutputs(j, *here, alive, stage, parts);
+    if (owned && j <= units.wanted()) addOutputs(j, *here, alive, stage, parts);
     parts.stages.push_back(stage);
     if (j == units.last() && plan_.normals) {
       parts.normals.firstFace.back() = owned ? static_cast<std::int32_t>(parts.normals.faces.size()) : -1;
@@ -261,7 +276,7 @@ void TileAssembler::addOutputs(std::int32_t k, const UnitBatch& batch, std::span
                                TileStage& stage, TileParts& parts) {
   const LevelUnits& level = plan_.units.level(k);
   if (plan_.order == TileOrder::tiles) {
-    if (k < plan_.units.last()) return;
+    if (k < plan_.units.wanted()) return;
     stage.firstOutput = static_cast<std::int32_t>(parts.written.size());
     for (const std::int32_t unit : units) {
       const std::int32_t first = level.firstOutput(batch, unit);

@@ -6,12 +6,18 @@
 
 #include "far/base/array.h"
 #include "far/tables/tile_clusters.h"
+#include "far/tables/tile_limit_plan.h"
 #include "far/tables/tile_normal_plan.h"
 #include "far/tables/tile_sharing.h"
 #include "far/tables/tile_table.h"
 #include "far/tables/tile_units.h"
 
 namespace honeycomb::Far {
+
+/// The last level whose points tiles make: behind the wanted one for its limits.
+constexpr std::int32_t lastRead(std::int32_t wanted, const TileOptions& options) {
+  return options.normals == TileNormalKind::exact ? wanted + 1 : wanted;
+}
 
 /// Everything about a mesh that its tiles are put together from; shared by the threads that do so.
 class TilePlan {
@@ -27,6 +33,7 @@ class TilePlan {
   TileUnits units;
   std::vector<std::vector<std::int32_t>> large;  ///< units per level
   std::optional<TileNormalPlan> normals;
+  std::optional<TileLimitPlan> limits;
   TileSharing sharing;
   TileOwners owners;
   TileOrder order;
@@ -37,6 +44,7 @@ class TilePlan {
     Array<std::int32_t> chains;
   };
   void listOwned();
+  std::vector<std::vector<std::int32_t>> wantedPoints() const;
 
   std::vector<Lists> owned_;
   std::vector<std::int32_t> firstWeights_;
@@ -53,6 +61,7 @@ struct TileParts {
   std::vector<std::int32_t> outputs;
   std::vector<std::int32_t> written;
   TileNormals normals;
+  TileLimits limits;
   std::int32_t largestTile = 0;  ///< points or normals; past kMostTilePoints the parts are of no use
 };
 
@@ -81,6 +90,14 @@ class TileAssembler {
   void numberNormals(TileParts& parts);
   void addNormalFaces(const UnitBatch& batch, std::span<const std::int32_t> units, TileParts& parts) const;
   void addFrames(TileParts& parts) const;
+  void collectLimits();
+  void addLimits(std::span<const TileStep> steps, TileParts& parts) const;
+  void addLimitsOf(const TileStep& step, TileParts& parts) const;
+  template <class Visit>
+  void forWritten(const TileStep& step, const TileParts& parts, const Visit& visit) const;
+  static std::int32_t outputsOf(const TileStep& step) {
+    return step.kind == TileStep::Kind::circulant ? step.width : 1;
+  }
   void touch(std::int32_t chain, std::int32_t level);
   void touchPoint(std::int32_t k, std::int32_t point);
   void import(std::int32_t point);

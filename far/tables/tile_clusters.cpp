@@ -180,7 +180,7 @@ TileOwners growTiles(const TileUnits& units, const TileSharing& sharing, std::in
   owners.of.resize(at(units.chainCount()), -1);
   constexpr std::int32_t kOrphan = -2;  // reads nothing but shared points
   std::int32_t orphanPoints = 0;
-  for (std::int32_t k = first + 1; k <= units.last(); ++k) {
+  for (std::int32_t k = first + 1; k <= units.wanted(); ++k) {
     const LevelUnits& level = units.level(k);
     const LevelUnits& before = units.level(k - 1);
     for (const UnitBatch& batch : level.batches) {

@@ -11,7 +11,7 @@ namespace honeycomb::Far {
 /// Which tile each chain belongs to.
 struct TileOwners {
   std::int32_t tileCount = 0;
-  std::vector<std::int32_t> of;  ///< per chain; -1: too large for a tile
+  std::vector<std::int32_t> of;  ///< per chain; -1: too large for a tile, or born behind the wanted level
 };
 
 /// Groups the units behind the root level into compact tiles of about `pointsPerTile` of that level's points, by what

@@ -113,10 +113,11 @@ TileSharing::TileSharing(const TileUnits& units, const std::vector<std::vector<s
   const auto none = [](const auto& level) { return level.empty(); };
   if (std::ranges::all_of(large, none) && std::ranges::all_of(wanted, none)) return;
   std::vector<Units> needed = large;
-  for (std::int32_t k = units.last() - 1; k > units.root(); --k) {
+  for (std::int32_t k = units.last(); k > units.root(); --k) {
     const std::size_t i = at(k - units.root() - 1);
     Units& here = needed[i];
-    std::vector<std::int32_t> points = sources(k + 1, needed[i + 1]);
+    std::vector<std::int32_t> points;
+    if (k < units.last()) points = sources(k + 1, needed[i + 1]);
     if (!wanted.empty()) points.insert(points.end(), wanted[i].begin(), wanted[i].end());
     const Units made = makers(k, points);
     here.insert(here.end(), made.begin(), made.end());
@@ -171,7 +172,7 @@ void TileSharing::addSet(std::int32_t k, const Units& units, const Units& large)
     const UnitBatch& batch = level.batchOf(unit);
     const std::int32_t first = level.firstOutput(batch, unit);
     const bool isLarge = std::ranges::binary_search(large, unit);
-    if (isLarge) set.written.push_back({number, first, batch.outputs});
+    if (isLarge && k <= units_.wanted()) set.written.push_back({number, first, batch.outputs});
     for (std::int32_t i = 0; i < batch.outputs; ++i, ++number) {
       numberOf[at(first + i)] = pointCount_ + number;
       if (isLarge) imported[at(first + i)] = pointCount_ + number;

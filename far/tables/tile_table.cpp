@@ -23,21 +23,22 @@ constexpr std::int64_t kHalo = 130;
 
 /// What the tables make of level k: a level may have values of other kinds behind its points, such as tangents.
 std::int32_t pointsOf(const Refinement& refinement, std::int32_t k) {
-  return k == 0 ? refinement.level(1).table.sourceCount : refinement.level(k).table.targetCount;
+  return k == 0 ? refinement.level(1).table.sourceCount : tableOf(refinement, k).targetCount;
 }
 
-/// How many points of the level behind the root a tile may have for all its points to fit.
-std::int64_t pointsPerTile(const Refinement& refinement, std::int32_t root, std::int32_t last, std::int64_t scratch) {
+/// How many points of the level behind the root a tile may have for all its points to fit, those of levels before
+/// `end`.
+std::int64_t pointsPerTile(const Refinement& refinement, std::int32_t root, std::int32_t end, std::int64_t scratch) {
   std::int64_t points = pointsOf(refinement, root);
-  for (std::int32_t k = root + 1; k < last; ++k) points += pointsOf(refinement, k);
+  for (std::int32_t k = root + 1; k < end; ++k) points += pointsOf(refinement, k);
   const std::int64_t first = pointsOf(refinement, root + 1);
   return std::max<std::int64_t>(1, scratch * 100 / kHalo * first / std::max<std::int64_t>(1, points));
 }
 
-/// The root level from which tiles of a sound size reach the last level.
-std::int32_t chooseRoot(const Refinement& refinement, std::int32_t last, std::int64_t scratch) {
+/// The root level from which tiles of a sound size reach the last level, keeping points of levels before `end`.
+std::int32_t chooseRoot(const Refinement& refinement, std::int32_t last, std::int32_t end, std::int64_t scratch) {
   std::int32_t root = 0;
-  while (root < last - 1 && pointsPerTile(refinement, root, last, scratch) < kFewestPoints) ++root;
+  while (root < last - 1 && pointsPerTile(refinement, root, end, scratch) < kFewestPoints) ++root;
   return root;
 }
 
@@ -65,6 +66,9 @@ class Join {
       next.corners += part.normals.indices.size();
       next.firstFaces += part.normals.firstFace.size();
       next.faces += part.normals.faces.size();
+      next.limitRanges += part.limits.tiles.size();
+      next.vertexFrames += part.limits.frames.size();
+      next.vertexIndices += part.limits.indices.size();
     }
     table_.tiles.resize(next.tiles);
     table_.steps.resize(next.steps);
@@ -80,6 +84,9 @@ class Join {
     table_.normals.indices.resize(next.corners);
     table_.normals.firstFace.resize(next.firstFaces);
     table_.normals.faces.resize(next.faces);
+    table_.limits.tiles.resize(next.limitRanges);
+    table_.limits.frames.resize(next.vertexFrames);
+    table_.limits.indices.resize(next.vertexIndices);
     Parallel::forEach(
         0, static_cast<std::int64_t>(parts_.size()), [&](std::int64_t p) { move(at(p)); }, 1);
   }
@@ -88,6 +95,7 @@ class Join {
   struct Bases {
     std::size_t tiles = 0, steps = 0, stages = 0, imports = 0, indices = 0, rows = 0, outputs = 0, written = 0;
     std::size_t ranges = 0, normalImports = 0, frames = 0, corners = 0, firstFaces = 0, faces = 0;  // of the normals
+    std::size_t limitRanges = 0, vertexFrames = 0, vertexIndices = 0;
   };
 
   template <class T, class Change>
@@ -126,6 +134,7 @@ class Join {
     copy(part.outputs, table_.outputs, base.outputs);
     copy(part.written, table_.written, base.written);
     moveNormals(part.normals, base);
+    moveLimits(part.limits, base);
   }
 
   void moveNormals(TileNormals& part, const Bases& base) {
@@ -147,14 +156,30 @@ class Join {
     copy(part.faces, to.faces, base.faces);
   }
 
+  void moveLimits(TileLimits& part, const Bases& base) {
+    TileLimits& to = table_.limits;
+    const auto plus = [](std::int32_t i, std::size_t by) { return i + static_cast<std::int32_t>(by); };
+    const std::size_t outputs = table_.order == TileOrder::tiles ? base.written : base.outputs;
+    copy(part.tiles, to.tiles, base.limitRanges, [&](TileLimits::Range range) {
+      range.firstFrames = plus(range.firstFrames, base.vertexFrames);
+      return range;
+    });
+    copy(part.frames, to.frames, base.vertexFrames, [&](TileVertexFrames frames) {
+      frames.firstIndex = plus(frames.firstIndex, base.vertexIndices);
+      frames.firstOutput = plus(frames.firstOutput, outputs);
+      return frames;
+    });
+    copy(part.indices, to.indices, base.vertexIndices);
+  }
+
   std::vector<TileParts>& parts_;
   TileTable& table_;
   std::vector<Bases> bases_;
 };
 
-void copyWeights(const Refinement& refinement, TileTable& table) {
-  for (std::int32_t k = table.rootLevel + 1; k <= table.lastLevel; ++k) {
-    const LevelTable& level = refinement.level(k).table;
+void copyWeights(const TileUnits& units, TileTable& table) {
+  for (std::int32_t k = table.rootLevel + 1; k <= units.last(); ++k) {
+    const LevelTable& level = *units.level(k).table;
     table.weights.insert(table.weights.end(), level.weights.begin(), level.weights.end());
     table.weightsSingle.insert(table.weightsSingle.end(), level.weightsSingle.begin(), level.weightsSingle.end());
   }
@@ -172,11 +197,15 @@ void copyWeights(const Refinement& refinement, TileTable& table) {
 /// Shared points that no tile writes stand behind all others in the order of tiles.
 void numberShared(TileTable& table) {
   if (table.order != TileOrder::tiles || table.shared.empty()) return;
-  for (SharedPoints::Run& run : table.shared.back().written) {
+  for (SharedPoints::Run& run : table.shared[at(table.lastLevel - table.rootLevel - 1)].written) {
     const auto place = static_cast<std::int32_t>(table.written.size());
     for (std::int32_t i = 0; i < run.count; ++i) table.written.push_back(run.output + i);
     run.output = place;
   }
+  if (table.limits.shared.elements.empty()) return;
+  std::vector<std::int32_t> places(table.written.size());
+  for (std::size_t i = 0; i < places.size(); ++i) places[at(table.written[i])] = static_cast<std::int32_t>(i);
+  for (std::int32_t& element : table.limits.shared.elements) element = places[at(element)];
 }
 
 /// Empty where a tile has more points than can be told apart.
@@ -199,10 +228,7 @@ std::vector<TileParts> assemble(const TilePlan& plan) {
   return parts;
 }
 
-}  // namespace
-
-Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions& options) {
-  const std::int32_t last = options.level == 0 ? refinement.levelCount() : options.level;
+Result<void> checkOptions(const Refinement& refinement, std::int32_t last, const TileOptions& options) {
   if (last < 1 || last > refinement.levelCount()) {
     return fail(ErrorCode::invalidOption,
                 fmt::format("level {} is out of range; use 1 to {}", last, refinement.levelCount()));
@@ -211,12 +237,31 @@ Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions
     return fail(ErrorCode::invalidOption,
                 fmt::format("scratchPoints {} is out of range; use 64 to {}", options.scratchPoints, kMostTilePoints));
   }
+  if (options.normals != TileNormalKind::exact) return {};
+  if (last < refinement.levelCount()) {
+    return fail(ErrorCode::invalidOption, fmt::format("exact normals are of level {} alone; level {} was asked for",
+                                                      refinement.levelCount(), last));
+  }
+  if (refinement.limits().child.sourceCount == 0) {
+    return fail(ErrorCode::invalidOption, "exact normals need the limits: refine with RefineOptions::limits");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions& options) {
+  const std::int32_t last = options.level == 0 ? refinement.levelCount() : options.level;
+  if (auto ok = checkOptions(refinement, last, options); !ok) return tl::unexpected(ok.error());
+  const std::int32_t read = lastRead(last, options);
+  const std::int32_t end = read > last ? read + 1 : last;  // points of levels before are kept
   for (std::int64_t scratch = options.scratchPoints;; scratch /= 2) {
     TileTable table;
     table.order = options.order;
     table.lastLevel = last;
-    table.rootLevel = chooseRoot(refinement, last, std::max<std::int64_t>(scratch, 1));
-    const std::int64_t size = pointsPerTile(refinement, table.rootLevel, last, scratch);
+    table.normalKind = options.normals;
+    table.rootLevel = chooseRoot(refinement, last, end, std::max<std::int64_t>(scratch, 1));
+    const std::int64_t size = pointsPerTile(refinement, table.rootLevel, end, scratch);
     TilePlan plan(refinement, table.rootLevel, last,
                   static_cast<std::int32_t>(std::min<std::int64_t>(size, kMostTilePoints)), options);
     std::vector<TileParts> parts = assemble(plan);
@@ -229,8 +274,9 @@ Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions
     for (const TileParts& part : parts) table.largestTile = std::max(table.largestTile, part.largestTile);
     Join(parts, table).run();
     table.shared = std::move(plan.sharing).sets();
-    copyWeights(refinement, table);
+    copyWeights(plan.units, table);
     if (plan.normals) std::move(*plan.normals).moveTo(table.normals);
+    if (plan.limits) std::move(*plan.limits).moveTo(table.limits);
     for (const TileNormalRange& range : table.normals.tiles)
       table.normals.largestTile = std::max(table.normals.largestTile, range.normalCount);
     numberShared(table);
@@ -242,9 +288,13 @@ std::int64_t TileTable::byteCount() const {
   std::int64_t total = bytes(pointCount) + bytes(tiles) + bytes(steps) + bytes(stages) + bytes(imports) +
                        bytes(indices) + bytes(rows) + bytes(outputs) + bytes(written) + bytes(weights) +
                        bytes(weightsSingle);
-  total += normals.byteCount();
+  total += normals.byteCount() + limits.byteCount();
   for (const SharedPoints& set : shared) total += set.table.byteCount() + bytes(set.written);
   return total;
+}
+
+std::int64_t TileLimits::byteCount() const {
+  return bytes(tiles) + bytes(frames) + bytes(indices) + bytes(weights) + bytes(weightsSingle) + shared.byteCount();
 }
 
 std::int64_t TileNormals::byteCount() const {

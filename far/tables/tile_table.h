@@ -15,12 +15,19 @@ enum class TileOrder : std::uint8_t {
   tiles    ///< tile after tile, each a contiguous range: TileTable::order tells which point went where
 };
 
+/// Which unit normals of the last level's vertices tiles find besides its points.
+enum class TileNormalKind : std::uint8_t {
+  none,
+  fast,  ///< of a few faces round a vertex: see NormalRule
+  exact  ///< of the refinement's limits (RefineOptions::limits), the bits of CpuEvaluator::vertexLimits; slower
+};
+
 struct TileOptions {
   std::int32_t level = 0;             ///< the last level to evaluate; 0: the refinement's last
   std::int32_t scratchPoints = 8192;  ///< points a tile keeps at once, about, 16 bytes each in single precision: what
                                       ///< half a second-level cache holds; 64 .. 32768
   TileOrder order = TileOrder::levels;
-  bool normals = false;  ///< also what fast normals of the last level are made of: see NormalRule
+  TileNormalKind normals = TileNormalKind::none;
 };
 
 /// Points of a tile are numbered from 0 over all of its levels; kept is twice the number, so that sixteen bits tell
@@ -146,6 +153,48 @@ inline std::span<const float> TileNormals::weightsAs<float>() const {
   return weightsSingle;
 }
 
+/// Vertices that a tile writes at the last level and whose exact normals are found alike: FrameBatch on own points, of
+/// the last level or the one behind it.
+struct TileVertexFrames {
+  std::int32_t sides = 0;        ///< points a vertex reads; 0: central control vertices, which have the zero vector
+  std::int32_t count = 0;        ///< faces with all their points, or single points
+  std::int32_t each = 1;         ///< points of a face, one behind the other
+  std::int32_t firstIndex = 0;   ///< in TileLimits::indices, count x each x sides
+  std::int32_t firstWeight = 0;  ///< in TileLimits::weights: as FrameBatch has them, the tangents alone are used
+  std::int32_t firstOutput = 0;  ///< where they go, as TileStage::firstOutput
+};
+
+/// What the exact normals of the last level are made of: LimitTable, tile by tile. The tiles then make the points of
+/// the level behind the last one, too.
+struct TileLimits {
+  /// A tile's frames.
+  struct Range {
+    std::int32_t firstFrames = 0;
+    std::int32_t framesCount = 0;
+  };
+  std::vector<Range> tiles;  ///< one a tile
+  std::vector<TileVertexFrames> frames;
+  std::vector<TilePoint> indices;
+  std::vector<double> weights;
+  std::vector<float> weightsSingle;
+  /// Of points that no tile writes, and of vertices that read too many for a tile; elements: where they go. They read
+  /// shared points, of whichever level, as TileTable::imports numbers them.
+  LimitRows shared;
+
+  template <class Real>
+  std::span<const Real> weightsAs() const;
+  std::int64_t byteCount() const;
+};
+
+template <>
+inline std::span<const double> TileLimits::weightsAs<double>() const {
+  return weights;
+}
+template <>
+inline std::span<const float> TileLimits::weightsAs<float>() const {
+  return weightsSingle;
+}
+
 /// A refinement cut into tiles, for evaluators: same points, same bits as level after level, but each tile's points
 /// stay in a cache, only the wanted level is written, and nobody waits for anybody. Compiled from the level tables of
 /// any chain of schemes. Levels up to `rootLevel` are evaluated one after the other where the mesh has more levels than
@@ -166,9 +215,12 @@ struct TileTable {
   std::vector<std::int32_t> written;  ///< TileOrder::tiles: written[i] is the level's number of the point written i-th
   std::vector<double> weights;        ///< of all level tables
   std::vector<float> weightsSingle;   ///< the same, rounded
-  std::vector<SharedPoints> shared;   ///< of levels rootLevel + 1 .. lastLevel; empty where nothing is too large
+  std::vector<SharedPoints> shared;   ///< of levels rootLevel + 1 .. lastLevel, of one more with exact normals; empty
+                                      ///< where nothing is too large
   std::int32_t largestTile = 0;       ///< the most points of a tile
-  TileNormals normals;
+  TileNormalKind normalKind = TileNormalKind::none;
+  TileNormals normals;  ///< TileNormalKind::fast
+  TileLimits limits;    ///< TileNormalKind::exact
 
   template <class Real>
   std::span<const Real> weightsAs() const;
@@ -190,8 +242,8 @@ inline std::span<const float> TileTable::weightsAs<float>() const {
 }
 
 /// Cuts a refinement into tiles, in parallel and always alike. Errors: invalidOption for a level that the refinement
-/// doesn't have or scratchPoints out of range; tooLarge where a single face or row reads more than a tile can hold.
-/// Linear in the refinement's tables.
+/// doesn't have, scratchPoints out of range, exact normals of a level that has no limits; tooLarge where a single face
+/// or row reads more than a tile can hold. Linear in the refinement's tables.
 Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions& options = {});
 
 }  // namespace honeycomb::Far

@@ -50,6 +50,10 @@ bool consecutive(std::span<const std::int32_t> points) {
 
 }  // namespace
 
+const LevelTable& tableOf(const Refinement& refinement, std::int32_t k) {
+  return k > refinement.levelCount() ? refinement.limits().child : refinement.level(k).table;
+}
+
 const UnitBatch& LevelUnits::batchOf(std::int32_t unit) const {
   const auto behind = std::ranges::upper_bound(batches, unit, {}, &UnitBatch::firstUnit);
   return *(behind - 1);
@@ -92,17 +96,20 @@ bool LevelUnits::tooLarge(const UnitBatch& batch, std::int32_t unit) const {
   return batch.kind == UnitBatch::Kind::loose && std::ssize(sources(batch, unit)) > kMostTileEntries;
 }
 
-TileUnits::TileUnits(const Refinement& refinement, std::int32_t root, std::int32_t last)
-    : root_(root), rootPoints_(refinement.level(root + 1).table.sourceCount), levels_(at(last - root)) {
+TileUnits::TileUnits(const Refinement& refinement, std::int32_t root, std::int32_t wanted, std::int32_t last)
+    : root_(root),
+      wanted_(wanted),
+      rootPoints_(refinement.level(root + 1).table.sourceCount),
+      levels_(at(last - root)) {
   for (std::int32_t k = root + 1; k <= last; ++k) {
     LevelUnits& level = levelAt(k);
-    level.table = &refinement.level(k).table;
+    level.table = &tableOf(refinement, k);
     addBatches(level);
     level.firstChain = chainCount_;
     chainCount_ += level.unitCount;
     level.child.assign(at(level.unitCount), -1);
     linkChains(k);
-    if (k < last) nameMakers(level);
+    if (read(k)) nameMakers(level);
   }
 }
 

@@ -13,6 +13,9 @@ namespace honeycomb::Far {
 /// Rows with more entries are too large for a tile.
 constexpr std::int32_t kMostTileEntries = 256;
 
+/// What makes level k: of the refinement's last level + 1, what its limits read.
+const LevelTable& tableOf(const Refinement& refinement, std::int32_t k);
+
 /// The units of one batch of a level table: what a tile takes as a whole. A face of a circulant batch with all its
 /// points, or a row.
 struct UnitBatch {
@@ -36,7 +39,7 @@ struct LevelUnits {
 
   std::vector<std::int32_t> chain;  ///< per unit: the chain it belongs to
   std::vector<std::int32_t> child;  ///< per unit: the unit of the next level in which it lives on, -1
-  /// Per point: the chain that makes it, and its place among the points of that; not of the last level.
+  /// Per point: the chain that makes it, and its place among the points of that; of levels that are read.
   std::vector<std::int32_t> pointChain;
   std::vector<std::uint8_t> pointPlace;
 
@@ -49,14 +52,20 @@ struct LevelUnits {
   const LooseRows* rowsOf(const UnitBatch& batch) const;
 };
 
-/// The units of the levels behind a root level. A face that reads exactly the points of one face of the level before,
-/// in its order, is that face living on: together they are a chain.
+/// The units of the levels behind a root level, up to the wanted one or, for the limits of that, one further. A face
+/// that reads exactly the points of one face of the level before, in its order, is that face living on: together they
+/// are a chain.
 class TileUnits {
  public:
-  TileUnits(const Refinement& refinement, std::int32_t root, std::int32_t last);
+  /// `last`: `wanted`, or wanted + 1: what the refinement's limits make of its last level, `wanted`.
+  TileUnits(const Refinement& refinement, std::int32_t root, std::int32_t wanted, std::int32_t last);
 
   std::int32_t root() const { return root_; }
+  /// The level that tiles write.
+  std::int32_t wanted() const { return wanted_; }
   std::int32_t last() const { return root_ + static_cast<std::int32_t>(levels_.size()); }
+  /// Are points of level k read by others?
+  bool read(std::int32_t k) const { return k < wanted_ || last() > wanted_; }
   /// Level k in root + 1 .. last.
   const LevelUnits& level(std::int32_t k) const { return levels_[static_cast<std::size_t>(k - root_ - 1)]; }
   std::int32_t chainCount() const { return chainCount_; }
@@ -75,6 +84,7 @@ class TileUnits {
   void nameMakers(LevelUnits& level);
 
   std::int32_t root_ = 0;
+  std::int32_t wanted_ = 0;
   std::int32_t rootPoints_ = 0;
   std::int32_t chainCount_ = 0;
   std::vector<LevelUnits> levels_;

@@ -56,11 +56,11 @@ class DirectSink {
 
   /// The n outputs of each of a vector's faces (rows: n is 1), the first of which is number `face` of its step.
   template <class D>
-  HWY_INLINE void put(D d, const hn::Vec<D>* out, int n, const Kernels::StageTarget& stage, std::int32_t face) const {
+  HWY_INLINE void put(D d, const hn::Vec<D>* out, int n, const Kernels::Outputs& outputs, std::int32_t face) const {
     constexpr std::int32_t kLast = kBlocks<D> - 1;
-    if (stage.outputs == nullptr) {
-      storeInRow<kAccess>(d, out, n, point(stage.first + face * n), stride());
-    } else if (const std::int32_t* o = stage.outputs + face; o[kLast] == o[0] + kLast * n) {
+    if (outputs.each == nullptr) {
+      storeInRow<kAccess>(d, out, n, point(outputs.first + face * n), stride());
+    } else if (const std::int32_t* o = outputs.each + face; o[kLast] == o[0] + kLast * n) {
       storeInRow<kAccess>(d, out, n, point(o[0]), stride());
     } else {
       putApart(d, out, n, o);
@@ -97,13 +97,13 @@ class StreamSink {
   StreamSink(const View<float>& target, float* buffer) : target_(target.data), buffer_(buffer) {}
 
   template <class D>
-  HWY_INLINE void put(D d, const hn::Vec<D>* out, int n, const Kernels::StageTarget& stage, std::int32_t face) {
+  HWY_INLINE void put(D d, const hn::Vec<D>* out, int n, const Kernels::Outputs& outputs, std::int32_t face) {
     constexpr std::int32_t kLast = kBlocks<D> - 1;
-    const bool inRow = stage.outputs == nullptr || stage.outputs[face + kLast] == stage.outputs[face] + kLast * n;
-    if (inRow) {
-      putRow(d, out, n, stage.of(face, n));
+    const std::int32_t* o = outputs.each;
+    if (o == nullptr || o[face + kLast] == o[face] + kLast * n) {
+      putRow(d, out, n, outputs.of(face, n));
     } else {
-      putApart(d, out, n, stage.outputs + face);
+      putApart(d, out, n, o + face);
     }
   }
 

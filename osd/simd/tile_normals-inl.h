@@ -115,16 +115,16 @@ struct TangentWeights<0, D> {
   HWY_INLINE hn::Vec<D> second(int j) const { return hn::Set(d, w[2 * n + j]); }
 };
 
-/// T1 x T2 of the K faces whose corners begin at `index`, n apart.
+/// T1 x T2 of the K faces whose n corners begin at `index`, `step` apart.
 template <int N, class D>
 HWY_INLINE hn::Vec<D> crossedTangents(D d, const TangentWeights<N, D>& w, const float* points,
-                                      const Far::TilePoint* index, int n) {
-  const auto p = loadOwn(d, points, index, at(n));
+                                      const Far::TilePoint* index, int n, std::size_t step) {
+  const auto p = loadOwn(d, points, index, step);
   auto t1 = w.first(0) * p;
   auto t2 = w.second(0) * p;
   HWY_UNROLL(8)
   for (int j = 1; j < n; ++j) {
-    const auto q = loadOwn(d, points, index + j, at(n));
+    const auto q = loadOwn(d, points, index + j, step);
     t1 = t1 + w.first(j) * q;
     t2 = t2 + w.second(j) * q;
   }
@@ -142,7 +142,7 @@ HWY_INLINE std::int32_t frameNormals(D d, const Far::TileFrames& frames, const f
     hn::Vec<D> v[kAtOnce];
     HWY_UNROLL(4)
     for (int i = 0; i < kAtOnce; ++i) {
-      v[i] = crossedTangents<N>(d, w, points, index + (g + i * kBlocks<D>)*n, n);
+      v[i] = crossedTangents<N>(d, w, points, index + (g + i * kBlocks<D>)*n, n, at(n));
     }
     makeUnit<kAtOnce>(d, v);
     HWY_UNROLL(4)
@@ -183,7 +183,7 @@ HWY_INLINE void faceNormals(const Far::TileNormals& table, const Far::TileNormal
 /// Normals of the outputs of the faces of a step; N sides, or any number if 0. Returns the first face left.
 template <int N, class D, class Sink>
 HWY_INLINE std::int32_t cornerNormals(D d, const Far::TileStep& step, const Far::TilePoint* faces, int neighbours,
-                                      const Kernels::StageTarget& target, const float* normals, Sink& sink,
+                                      const Kernels::Outputs& outputs, const float* normals, Sink& sink,
                                       std::int32_t g) {
   const int n = N > 0 ? N : step.width;
   const std::size_t stride = at(1 + n * neighbours);
@@ -198,21 +198,22 @@ HWY_INLINE std::int32_t cornerNormals(D d, const Far::TileStep& step, const Far:
       if (neighbours > 1) v[i] = v[i] + loadOwn(d, normals, index++, stride);
     }
     makeAllUnit(d, v, n);
-    sink.put(d, v, n, target, g);
+    sink.put(d, v, n, outputs, g);
   }
   return g;
 }
 
 template <int N, class Sink>
 void stepCornerNormals(const Far::TileStep& step, const Far::TilePoint* faces, int neighbours,
-                       const Kernels::StageTarget& target, const float* normals, Sink& sink) {
+                       const Kernels::Outputs& outputs, const float* normals, Sink& sink) {
   std::int32_t g = 0;
-  if constexpr (N > 0) g = cornerNormals<N>(HWY_CAPPED(float, 16)(), step, faces, neighbours, target, normals, sink, g);
-  cornerNormals<N>(Block(), step, faces, neighbours, target, normals, sink, g);
+  if constexpr (N > 0)
+    g = cornerNormals<N>(HWY_CAPPED(float, 16)(), step, faces, neighbours, outputs, normals, sink, g);
+  cornerNormals<N>(Block(), step, faces, neighbours, outputs, normals, sink, g);
 }
 
 template <class Sink>
-void rowNormals(const Far::TileStep& step, const Far::TilePoint* faces, const Kernels::StageTarget& target,
+void rowNormals(const Far::TileStep& step, const Far::TilePoint* faces, const Kernels::Outputs& outputs,
                 const float* normals, Sink& sink) {
   const Block d;
   for (std::int32_t r = 0; r < step.count; ++r) {
@@ -221,7 +222,7 @@ void rowNormals(const Far::TileStep& step, const Far::TilePoint* faces, const Ke
     if (count > 0) sum = loadOwn(d, normals, faces, 1);
     for (std::int32_t i = 1; i < count; ++i) sum = sum + loadOwn(d, normals, faces + i, 1);
     makeUnit<1>(d, &sum);
-    sink.put(d, &sum, 1, target, r);
+    sink.put(d, &sum, 1, outputs, r);
     faces += count;
   }
 }
@@ -232,17 +233,17 @@ void vertexNormals(const Far::TileTable& table, const Far::Tile& tile, const Ker
   for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
     if (table.normals.firstFace[at(s)] < 0) continue;
     const Far::TileStep& step = table.steps[at(s)];
-    const Kernels::StageTarget target = Kernels::stageTarget(table, step, step.stageCount - 1, table.lastLevel);
+    const Kernels::Outputs outputs = Kernels::lastOutputs(table, step);
     const Far::TilePoint* faces = table.normals.faces.data() + table.normals.firstFace[at(s)];
     const int neighbours = table.normals.neighbours;
     if (step.kind != Far::TileStep::Kind::circulant) {
-      rowNormals(step, faces, target, views.scratch, sink);
+      rowNormals(step, faces, outputs, views.scratch, sink);
     } else if (step.width == 6) {
-      stepCornerNormals<6>(step, faces, neighbours, target, views.scratch, sink);
+      stepCornerNormals<6>(step, faces, neighbours, outputs, views.scratch, sink);
     } else if (step.width == 4) {
-      stepCornerNormals<4>(step, faces, neighbours, target, views.scratch, sink);
+      stepCornerNormals<4>(step, faces, neighbours, outputs, views.scratch, sink);
     } else {
-      stepCornerNormals<0>(step, faces, neighbours, target, views.scratch, sink);
+      stepCornerNormals<0>(step, faces, neighbours, outputs, views.scratch, sink);
     }
   }
   sink.finish();

@@ -11,6 +11,7 @@
 #include "osd/simd/circulant-inl.h"
 #include "osd/simd/points-inl.h"
 #include "osd/simd/sinks-inl.h"
+#include "osd/simd/tile_limits-inl.h"
 #include "osd/simd/tile_normals-inl.h"
 #endif
 
@@ -28,7 +29,7 @@ using Views = Kernels::TileViews<float>;
 
 using Wide = HWY_CAPPED(float, 16);
 
-constexpr int kMostStages = Far::kMaxLevels;
+constexpr int kMostStages = Far::kMaxLevels + 1;
 
 /// The faces of a step on a tile's own points.
 struct StepFaces {
@@ -42,7 +43,7 @@ struct StepFaces {
   StepFaces(const Far::TileTable& table, const TileStep& s, const Views& views, std::int32_t stageCount)
       : step(s), own(views.scratch), index(table.indices.data() + s.firstIndex), stages(stageCount) {
     for (std::int32_t i = 0; i < stages; ++i) {
-      targets[i] = Kernels::stageTarget(table, s, i, views.level);
+      targets[i] = Kernels::stageTarget(table, s, i, views.level, views.last);
       weights[i] = table.weightsSingle.data() + table.stages[at(s.firstStage + i)].firstWeight;
     }
   }
@@ -51,11 +52,10 @@ struct StepFaces {
 template <class D, class Sink>
 HWY_INLINE void storeStage(D d, const hn::Vec<D>* out, int n, const StageTarget& stage, std::int32_t face, float* own,
                            Sink& sink) {
-  if (stage.wanted) {
-    sink.put(d, out, n, stage, face);
-  } else {
-    storeInRow<Access::whole>(d, out, n, own + std::size_t{kTileStride} * at(stage.first + face * n), kTileStride);
+  if (stage.kept >= 0) {
+    storeInRow<Access::whole>(d, out, n, own + std::size_t{kTileStride} * at(stage.kept + face * n), kTileStride);
   }
+  if (stage.wanted) sink.put(d, out, n, stage.outputs, face);
 }
 
 /// Faces `face`, face + K, .. as long as there are K more, whose matrix is the same at all stages. Returns the first
@@ -152,17 +152,14 @@ HWY_INLINE hn::Vec<D> rowsSum(D d, const float* scratch, const float* weights, c
 template <class D, class Sink>
 HWY_INLINE void storeRows(D d, hn::Vec<D> v, const StageTarget& target, const Views& views, std::int32_t row,
                           Sink& sink) {
-  if (!target.wanted) {
-    hn::StoreU(v, d, views.scratch + kTileStride * (target.first + row));
-  } else {
-    sink.put(d, &v, 1, target, row);
-  }
+  if (target.kept >= 0) hn::StoreU(v, d, views.scratch + kTileStride * (target.kept + row));
+  if (target.wanted) sink.put(d, &v, 1, target.outputs, row);
 }
 
 template <class Sink>
 void denseRows(const Far::TileTable& table, const TileStep& step, const Views& views, Sink& sink) {
   const Wide d;
-  const StageTarget target = Kernels::stageTarget(table, step, 0, views.level);
+  const StageTarget target = Kernels::stageTarget(table, step, 0, views.level, views.last);
   const float* w = table.weightsSingle.data() + table.stages[at(step.firstStage)].firstWeight;
   const TilePoint* index = table.indices.data() + step.firstIndex;
   constexpr std::int32_t kAtOnce = kBlocks<Wide>;
@@ -179,7 +176,7 @@ void denseRows(const Far::TileTable& table, const TileStep& step, const Views& v
 template <class Sink>
 void looseRows(const Far::TileTable& table, const TileStep& step, const Views& views, Sink& sink) {
   const Block d;
-  const StageTarget target = Kernels::stageTarget(table, step, 0, views.level);
+  const StageTarget target = Kernels::stageTarget(table, step, 0, views.level, views.last);
   const TilePoint* index = table.indices.data() + step.firstIndex;
   for (std::int32_t r = 0; r < step.count; ++r) {
     const Far::TileRow& row = table.rows[at(step.firstRow + r)];
@@ -195,7 +192,7 @@ void evaluate(const Far::TileTable& table, const Far::Tile& tile, const Views& v
   Kernels::importPoints<Width>(table, tile, views);
   for (std::int32_t i = 0; i < tile.stepCount; ++i) {
     const TileStep& step = table.steps[at(tile.firstStep + i)];
-    const std::int32_t stages = Kernels::stagesFor(table, step, views.level);
+    const std::int32_t stages = Kernels::stagesFor(table, step, views.level, views.last);
     if (stages < 1) continue;
     switch (step.kind) {
       case TileStep::Kind::circulant:
@@ -229,13 +226,19 @@ void evaluateTile(const Far::TileTable& table, const Far::Tile& tile, const View
   }
 }
 
+template <class Sink>
+void tileNormals(const Far::TileTable& table, std::int32_t tile, const float* points,
+                 const Kernels::NormalViews<float>& views) {
+  if (table.normalKind == Far::TileNormalKind::exact) return limitNormals<Sink>(table, tile, points, views);
+  faceNormals(table.normals, table.normals.tiles[at(tile)], points, views);
+  vertexNormals<Sink>(table, table.tiles[at(tile)], views);
+}
+
 void evaluateTileNormals(const Far::TileTable& table, std::int32_t tile, const float* points,
                          const Kernels::NormalViews<float>& views) {
-  faceNormals(table.normals, table.normals.tiles[at(tile)], points, views);
-  const Far::Tile& steps = table.tiles[at(tile)];
-  if (views.target.stride != 3) return vertexNormals<DirectSink<Access::three>>(table, steps, views);
-  if (views.stream != nullptr) return vertexNormals<StreamSink<Access::overlapping>>(table, steps, views);
-  vertexNormals<DirectSink<Access::overlapping>>(table, steps, views);
+  if (views.target.stride != 3) return tileNormals<DirectSink<Access::three>>(table, tile, points, views);
+  if (views.stream != nullptr) return tileNormals<StreamSink<Access::overlapping>>(table, tile, points, views);
+  tileNormals<DirectSink<Access::overlapping>>(table, tile, points, views);
 }
 
 #else

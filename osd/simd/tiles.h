@@ -11,7 +11,7 @@ namespace honeycomb::Osd::Simd {
 void evaluateTile(const Far::TileTable& table, const Far::Tile& tile, const Kernels::TileViews<float>& views,
                   std::int32_t length);
 
-/// The fast normals of tile number `tile`, from its own points: Kernels::evaluateTileNormals, bit for bit.
+/// The normals of tile number `tile`, from its own points: Kernels::evaluateTileNormals, bit for bit.
 void evaluateTileNormals(const Far::TileTable& table, std::int32_t tile, const float* points,
                          const Kernels::NormalViews<float>& views);
 

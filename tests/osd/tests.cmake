@@ -1,12 +1,13 @@
 honeycomb_test(osd_tests
   SHARDS 4
   LABELS threads
-  ALONE "Simd.*:RowTables*:TileNormals*UnderEveryScheme:TileNormals*TooLarge*:TileNormals*CostLinear*:Tiles*UnderEveryScheme:Tiles*TooLarge*"
+  ALONE "Simd.*:RowTables*:TileLimits*UnderEveryScheme:TileLimits*TooLarge*:TileNormals*UnderEveryScheme:TileNormals*TooLarge*:TileNormals*CostLinear*:Tiles*UnderEveryScheme:Tiles*TooLarge*"
   SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/buffer_errors_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/evaluators_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/row_tables_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/simd_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/tile_limits_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/tile_normals_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/tiles_test.cpp
   LIBRARIES honeycomb::test_support honeycomb::far honeycomb::osd honeycomb::io hwy::hwy)

@@ -10,16 +10,14 @@
 #include "far/tables/normal_rule.h"
 #include "osd/normal_evaluator.h"
 #include "osd/tile_evaluator.h"
+#include "tests/osd/tile_surface.h"
 #include "tests/support/creased.h"
 #include "tests/support/refined.h"
-#include "tests/support/same_bits.h"
 #include "tests/support/scheme_list.h"
 #include "tests/support/shapes.h"
 
 namespace honeycomb::Test {
 namespace {
-
-using Instructions = Osd::CpuEvaluator::Instructions;
 
 constexpr std::uint64_t kMeshesWithNormals = meshes(40);
 
@@ -30,22 +28,10 @@ using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(TileNormals, Reals);
 
 template <class Real>
-struct Surface {
-  std::vector<Real> points;
-  std::vector<Real> normals;
-};
-
-template <class Real>
-Surface<Real> empty(const Far::Refinement& refinement) {
-  const auto numbers = 3 * static_cast<std::size_t>(refinement.last().pointCount());
-  return {std::vector<Real>(numbers, Real{7}), std::vector<Real>(numbers, Real{7})};
-}
-
-template <class Real>
-Surface<Real> levelByLevel(const Far::Refinement& refinement, const std::vector<Real>& control) {
+TileSurface<Real> levelByLevel(const Far::Refinement& refinement, const std::vector<Real>& control) {
   const auto table = Far::buildNormalTable(refinement, refinement.levelCount());
   EXPECT_TRUE(table.has_value());
-  Surface<Real> surface = empty<Real>(refinement);
+  TileSurface<Real> surface = emptySurface<Real>(refinement);
   Osd::NormalEvaluator evaluator(Osd::CpuEvaluator::Threads::one);
   EXPECT_TRUE(evaluator.evaluate(refinement, *table, Osd::Points<Real>{control, {}},
                                  Osd::PointsOut<Real>{surface.points, {}}, Osd::PointsOut<Real>{surface.normals, {}}));
@@ -53,35 +39,12 @@ Surface<Real> levelByLevel(const Far::Refinement& refinement, const std::vector<
 }
 
 template <class Real>
-Surface<Real> byTiles(const Far::Refinement& refinement, const Far::TileTable& tiles, const std::vector<Real>& control,
-                      const Osd::TileEvaluatorOptions& options) {
-  Surface<Real> surface = empty<Real>(refinement);
-  Osd::TileEvaluator evaluator(options);
-  const auto done = evaluator.evaluate(refinement, tiles, tiles.lastLevel, Osd::Points<Real>{control, {}},
-                                       Osd::PointsOut<Real>{surface.points, {}},
-                                       Osd::TileRequest<Real>{Osd::PointsOut<Real>{surface.normals, {}}, {}});
-  EXPECT_TRUE(done.has_value()) << (done ? "" : done.error().message);
-  return surface;
-}
-
-template <class Real>
 void compare(const Far::Refinement& refinement, std::int32_t scratchPoints, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<Real> control(3 * static_cast<std::size_t>(refinement.level(0).pointCount()));
-  for (Real& x : control) x = static_cast<Real>(random.symmetric());
-  const auto tiles = Far::buildTileTable(refinement, {.scratchPoints = scratchPoints, .normals = true});
+  const std::vector<Real> control = randomControl<Real>(refinement, seed);
+  const auto tiles =
+      Far::buildTileTable(refinement, {.scratchPoints = scratchPoints, .normals = Far::TileNormalKind::fast});
   ASSERT_TRUE(tiles.has_value()) << tiles.error().message;
-  const Surface<Real> expected = levelByLevel(refinement, control);
-  constexpr std::int64_t kNever = std::int64_t{1} << 60;
-  const auto threads = Osd::CpuEvaluator::Threads::one;
-  for (const Osd::TileEvaluatorOptions& options : {Osd::TileEvaluatorOptions{threads, Instructions::plain, kNever},
-                                                   {threads, Instructions::vectors, kNever},
-                                                   {threads, Instructions::vectors, 0}}) {
-    const Surface<Real> surface = byTiles(refinement, *tiles, control, options);
-    ASSERT_TRUE(sameBits(surface.points, expected.points));
-    ASSERT_TRUE(sameBits(surface.normals, expected.normals))
-        << "vectors " << (options.instructions == Instructions::vectors) << ", streamed from " << options.streamedBytes;
-  }
+  expectOfTiles(refinement, *tiles, control, levelByLevel(refinement, control));
 }
 
 TYPED_TEST(TileNormals, AreThoseOfTheLevelsOnRandomMeshes) {
@@ -148,7 +111,7 @@ TEST(TileNormal, IsWithinAHalfDegreeOfTheExactNormalOnAverage) {
     for (double& x : p) x += 0.1 * random.symmetric();
   }
   const Far::Refinement refinement = refined(mesh, schemeCase(NamedTension::paper).scheme, 4, {}, true);
-  const Surface<float> fast = levelByLevel(refinement, pack<float>(mesh.points));
+  const TileSurface<float> fast = levelByLevel(refinement, pack<float>(mesh.points));
   const Limits exact = vertexLimits<double>(refinement, levelPoints<double>(refinement, 4, mesh.points));
   double sum = 0;
   double worst = 0;
@@ -164,14 +127,14 @@ TEST(TileNormal, IsWithinAHalfDegreeOfTheExactNormalOnAverage) {
 TEST(TileNormal, IsRefusedWhereTheTilesHaveNone) {
   const Far::Refinement refinement = refined(cube(), schemeCase(NamedTension::paper).scheme, 2);
   const std::vector<float> control(24);
-  Surface<float> surface = empty<float>(refinement);
+  TileSurface<float> surface = emptySurface<float>(refinement);
   Osd::TileEvaluator evaluator;
   const auto evaluate = [&](const Far::TileTable& tiles, std::int32_t level, std::size_t numbers) {
     return evaluator.evaluate<float>(refinement, tiles, level, {control, {}}, {surface.points, {}},
                                      {{std::span(surface.normals).first(numbers), {}}, {}});
   };
   const auto without = Far::buildTileTable(refinement);
-  const auto with = Far::buildTileTable(refinement, {.normals = true});
+  const auto with = Far::buildTileTable(refinement, {.normals = Far::TileNormalKind::fast});
   EXPECT_TRUE(evaluate(*with, 2, surface.normals.size()).has_value());
   EXPECT_FALSE(evaluate(*without, 2, surface.normals.size()).has_value());
   EXPECT_FALSE(evaluate(*with, 1, surface.normals.size()).has_value());

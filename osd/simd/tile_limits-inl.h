@@ -1,0 +1,93 @@
+// Exact normals of tiles on vectors. Compiled once a Highway target; no include guard but Highway's.
+#if defined(HONEYCOMB_OSD_SIMD_TILE_LIMITS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef HONEYCOMB_OSD_SIMD_TILE_LIMITS_INL_H
+#undef HONEYCOMB_OSD_SIMD_TILE_LIMITS_INL_H
+#else
+#define HONEYCOMB_OSD_SIMD_TILE_LIMITS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+#include "osd/simd/points-inl.h"
+#include "osd/simd/sinks-inl.h"
+#include "osd/simd/tile_normals-inl.h"
+#include "osd/tile_normal_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace honeycomb::Osd::Simd::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// What the normals of a group of vertices are made of.
+struct VertexFrames {
+  const Far::TileVertexFrames& group;
+  const float* points;   ///< the tile's own
+  const float* weights;  ///< of the shape
+  const Far::TilePoint* index;
+  Kernels::Outputs outputs;
+};
+
+/// Of faces `face` .. as many as vectors of D hold at once; returns the first left. kSides: points a vertex reads,
+/// kEach: points of a face, any number if 0.
+template <int kSides, int kEach, class D, class Sink>
+HWY_INLINE std::int32_t facesOfFrames(D d, const VertexFrames& frames, Sink& sink, std::int32_t face) {
+  const int n = kSides > 0 ? kSides : frames.group.sides;
+  const int each = kEach > 0 ? kEach : frames.group.each;
+  const TangentWeights<kSides, D> w(d, frames.weights, n);
+  for (; face + kBlocks<D> <= frames.group.count; face += kBlocks<D>) {
+    const Far::TilePoint* index = frames.index + at(face) * at(each) * at(n);
+    hn::Vec<D> v[kEach > 0 ? kEach : Far::kLargestCirculant];
+    HWY_UNROLL(1)
+    for (int i = 0; i < each; ++i) {
+      v[i] = crossedTangents<kSides>(d, w, frames.points, index + i * n, n, at(each) * at(n));
+    }
+    makeAllUnit(d, v, each);
+    sink.put(d, v, each, frames.outputs, face);
+  }
+  return face;
+}
+
+template <int kSides, int kEach, class Sink>
+void groupOfFrames(const VertexFrames& frames, Sink& sink) {
+  const std::int32_t left = facesOfFrames<kSides, kEach>(HWY_CAPPED(float, 16)(), frames, sink, 0);
+  facesOfFrames<kSides, kEach>(Block(), frames, sink, left);
+}
+
+/// Points that are not vertices.
+template <class Sink>
+void zeroVectors(const VertexFrames& frames, Sink& sink) {
+  const Block d;
+  BlockVector zero[Far::kLargestCirculant];
+  std::fill_n(zero, frames.group.each, hn::Zero(d));
+  for (std::int32_t i = 0; i < frames.group.count; ++i) sink.put(d, zero, frames.group.each, frames.outputs, i);
+}
+
+template <class Sink>
+void limitNormals(const Far::TileTable& table, std::int32_t tile, const float* points,
+                  const Kernels::NormalViews<float>& views) {
+  Sink sink(views.target, views.stream);
+  const Far::TileLimits& limits = table.limits;
+  const Far::TileLimits::Range& range = limits.tiles[at(tile)];
+  for (std::int32_t b = range.firstFrames; b < range.firstFrames + range.framesCount; ++b) {
+    const Far::TileVertexFrames& group = limits.frames[at(b)];
+    const VertexFrames frames{group, points, limits.weightsSingle.data() + group.firstWeight,
+                              limits.indices.data() + group.firstIndex, Kernels::outputsFrom(table, group.firstOutput)};
+    if (group.sides == 0) {
+      zeroVectors(frames, sink);
+    } else if (group.sides == 6 && group.each == 6) {
+      groupOfFrames<6, 6>(frames, sink);
+    } else if (group.sides == 6 && group.each == 4) {
+      groupOfFrames<6, 4>(frames, sink);
+    } else {
+      groupOfFrames<0, 0>(frames, sink);
+    }
+  }
+  sink.finish();
+}
+
+}  // namespace honeycomb::Osd::Simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
