@@ -76,12 +76,10 @@ void limitNormals(const Far::TileTable& table, std::int32_t tile, const float* p
                               limits.indices.data() + group.firstIndex, Kernels::outputsFrom(table, group.firstOutput)};
     if (group.sides == 0) {
       zeroVectors(frames, sink);
-    } else if (group.sides == 6 && group.each == 6) {
-      groupOfFrames<6, 6>(frames, sink);
-    } else if (group.sides == 6 && group.each == 4) {
-      groupOfFrames<6, 4>(frames, sink);
-    } else {
+    } else if (group.sides != 6) {
       groupOfFrames<0, 0>(frames, sink);
+    } else {
+      forCommonSides(group.each, [&](auto each) { groupOfFrames<6, decltype(each)::value>(frames, sink); });
     }
   }
   sink.finish();

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "osd/cpu_pieces.h"
 #include "osd/simd/points-inl.h"
 #include "osd/simd/sinks-inl.h"
 #include "osd/tile_normal_kernels.h"
@@ -19,6 +20,22 @@ HWY_BEFORE_NAMESPACE();
 namespace honeycomb::Osd::Simd::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// Calls body(Int<N>) where N = sides is common enough for kernels of its own (the faces of quads and what becomes of
+/// their vertices), else body(Int<0>).
+template <class Body>
+HWY_INLINE void forCommonSides(std::int32_t sides, const Body& body) {
+  switch (sides) {
+    case 4:
+      return body(Int<4>{});
+    case 6:
+      return body(Int<6>{});
+    case 8:
+      return body(Int<8>{});
+    default:
+      return body(Int<0>{});
+  }
+}
 
 /// (y z x w) of each block.
 template <class D>
@@ -171,11 +188,8 @@ HWY_INLINE void faceNormals(const Far::TileNormals& table, const Far::TileNormal
     const Far::TileFrames& frames = table.frames[at(b)];
     const float* w = table.weightsSingle.data() + frames.firstWeight;
     const Far::TilePoint* index = table.indices.data() + frames.firstIndex;
-    if (frames.sides == 6) {
-      normalsOfFrames<6>(frames, w, index, points, normals);
-    } else {
-      normalsOfFrames<0>(frames, w, index, points, normals);
-    }
+    forCommonSides(frames.sides,
+                   [&](auto sides) { normalsOfFrames<decltype(sides)::value>(frames, w, index, points, normals); });
     normals += Kernels::kTileStride * frames.count;
   }
 }
@@ -238,12 +252,10 @@ void vertexNormals(const Far::TileTable& table, const Far::Tile& tile, const Ker
     const int neighbours = table.normals.neighbours;
     if (step.kind != Far::TileStep::Kind::circulant) {
       rowNormals(step, faces, outputs, views.scratch, sink);
-    } else if (step.width == 6) {
-      stepCornerNormals<6>(step, faces, neighbours, outputs, views.scratch, sink);
-    } else if (step.width == 4) {
-      stepCornerNormals<4>(step, faces, neighbours, outputs, views.scratch, sink);
     } else {
-      stepCornerNormals<0>(step, faces, neighbours, outputs, views.scratch, sink);
+      forCommonSides(step.width, [&](auto sides) {
+        stepCornerNormals<decltype(sides)::value>(step, faces, neighbours, outputs, views.scratch, sink);
+      });
     }
   }
   sink.finish();

@@ -112,13 +112,14 @@ TEST_F(BenchTest, AChainHasTheLevelsItSays) {
 }
 
 TEST_F(BenchTest, NormalsAreMeasuredWhereAnEvaluatorHasThem) {
-  const std::vector<std::string> few{"--faces", "16", "--levels", "1", "--evaluators", "serial,tbb,csr"};
+  const std::vector<std::string> few{"--faces", "16", "--levels", "1", "--evaluators", "serial,tbb,simd-tiled,csr"};
   std::vector<std::string> exact = few, fast = few;
   exact.insert(exact.end(), {"--normals", "exact"});
   fast.insert(fast.end(), {"--normals", "fast"});
   const json withExact = bench(exact);
   EXPECT_EQ(namesOf(withExact.at("runs")),
-            (std::set<std::string>{"serial xyz 1", "serial xyzw 1", "tbb xyz 1", "tbb xyzw 1"}));
+            (std::set<std::string>{"serial xyz 1", "serial xyzw 1", "tbb xyz 1", "tbb xyzw 1", "simd-tiled xyz 1",
+                                   "simd-tiled xyzw 1"}));
   EXPECT_EQ(namesOf(withExact.at("skipped")), (std::set<std::string>{"csr xyz 1", "csr xyzw 1"}));
   EXPECT_EQ(withExact.at("runs").at(0).at("normals"), "exact");
   EXPECT_TRUE(bench(fast).at("skipped").at(0).at("why").is_string());
