@@ -1,5 +1,7 @@
 // What bench/counts runs under callgrind: one kernel, one frame, everything else uncounted.
-//   honeycomb_counted EVALUATOR SCHEME LEVELS FACES     a frame of one of bench/kit's evaluators, four numbers a point
+//   honeycomb_counted EVALUATOR SCHEME LEVELS FACES [fast|exact]
+//                                                       a frame of one of bench/kit's evaluators, four numbers a point,
+//                                                       with normals of that kind
 //   honeycomb_counted topology|tables|flattened ...     what is built once per mesh
 // Prints the number of refined vertices that the counted instructions made. Without an evaluator's tables or device it
 // prints why and exits 3.
@@ -35,6 +37,7 @@ struct Job {
   std::vector<Far::Scheme> steps;
   const Bench::Mesh& mesh;
   const Far::Topology& control;
+  Bench::Normals normals;
 };
 
 int counted(const Bench::Prepared& prepared) {
@@ -64,13 +67,20 @@ int countBuilding(const Job& job) {
 int count(const Job& job) {
   for (const Bench::EvaluatorEntry& entry : Bench::evaluators()) {
     if (entry.name != job.kernel) continue;
-    const Result<Far::Refinement> refinement = Far::refine(job.control, job.steps);
+    const bool limits = job.normals == Bench::Normals::exact;
+    const Result<Far::Refinement> refinement = Far::refine(job.control, job.steps, {.limits = limits});
     if (!refinement) return absent(refinement.error().message);
-    const Bench::Workbench workbench({*refinement, job.mesh.points, 0, kFlatBytes, Bench::layouts().back()});
+    const Bench::Workbench workbench(
+        {*refinement, job.mesh.points, 0, kFlatBytes, Bench::layouts().back(), job.normals});
     const Result<Bench::Prepared> prepared = entry.prepare(workbench.problem());
     return prepared ? counted(*prepared) : absent(prepared.error().message);
   }
   return countBuilding(job);
+}
+
+Bench::Normals normalsOf(std::string_view name) {
+  if (name == "fast") return Bench::Normals::fast;
+  return name == "exact" ? Bench::Normals::exact : Bench::Normals::none;
 }
 
 /// Circulants alone; circulants and dense rows of four; dense rows of two alone. None for another name.
@@ -84,11 +94,13 @@ std::vector<Far::Scheme> stepsOf(std::string_view scheme, const Far::Topology& c
 }  // namespace
 
 int main(int argumentCount, char** arguments) {
-  if (argumentCount != 5) return absent("usage: honeycomb_counted KERNEL SCHEME LEVELS FACES");
+  if (argumentCount < 5 || argumentCount > 6)
+    return absent("usage: honeycomb_counted KERNEL SCHEME LEVELS FACES [fast|exact]");
+  const Bench::Normals normals = normalsOf(argumentCount == 6 ? arguments[5] : "none");
   // callgrind runs one thread at a time.
   const Parallel::ThreadLimit limit(1);
   const Bench::Mesh mesh = Bench::torus(std::stoll(arguments[4]));
   const Far::Topology control = *Far::Topology::create(mesh.polygons);
   const auto steps = stepsOf(arguments[2], control, std::stoi(arguments[3]));
-  return steps.empty() ? absent("there is no such scheme") : count({arguments[1], steps, mesh, control});
+  return steps.empty() ? absent("there is no such scheme") : count({arguments[1], steps, mesh, control, normals});
 }
