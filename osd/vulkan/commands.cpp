@@ -72,6 +72,7 @@ Result<void> CommandRunner::end() {
 }
 
 Result<void> CommandRunner::submit() {
+  if (auto waited = wait(); !waited) return waited;
   // Here and not after the wait: if it fails, nothing is under way, and the next submission tries again.
   const VkFence fence = fence_.get();
   VkResult result = core_->vk().vkResetFences(core_->device.device, 1, &fence);

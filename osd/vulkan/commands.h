@@ -21,9 +21,10 @@ class CommandRunner {
   VkCommandBuffer commandBuffer() const { return commands_; }
   Result<void> begin(VkCommandBufferUsageFlags usage);
   Result<void> end();
-  /// To the core's queue, which nobody else may use meanwhile. Needs the submission before to have been waited for.
+  /// To the core's queue, which nobody else may use meanwhile; after the submission before, where that still runs.
   Result<void> submit();
-  /// Returns when the submission has run; at once when none is running.
+  /// Returns when the submission has run; at once when none is running. After an error other than deviceLost it may
+  /// still be running: wait again.
   Result<void> wait();
 
  private:

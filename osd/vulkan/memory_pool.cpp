@@ -92,7 +92,7 @@ Result<MemorySlice> MemoryPool::allocate(const std::shared_ptr<const VulkanCore>
   return MemorySlice(core, **block, take(**block, need).value());
 }
 
-// As much as there is of this kind already: few blocks, and never more than twice what is needed, or kLeastBlock.
+// Twice the largest of this kind that there is: few blocks in the end, and small ones for who needs little.
 std::uint64_t MemoryPool::blockBytes(const VulkanCore& core, const MemoryNeed& need) const {
   if (need.alone) return need.bytes;
   std::uint64_t bytes = std::max(kLeastBlock, std::bit_ceil(need.bytes));

@@ -11,6 +11,7 @@
 #include "runs.h"
 #include "spy.h"
 #include "tests/support/must.h"
+#include "tests/support/random_tables.h"
 #include "tests/support/refined.h"
 #include "tests/support/shapes.h"
 
@@ -79,6 +80,16 @@ TEST(CallersDevice, RefinesInTheCallersCommandBuffer) {
     EXPECT_TRUE(playIn(engine, Body(Meshes::torus(12, 10)), 3));
   }
   EXPECT_THAT(messages, IsEmpty());
+}
+
+TEST(CallersDevice, FunctionsComeFromTheMachinesLoaderWhereNoneAreGiven) {
+  std::vector<std::string> messages;
+  Engine engine(validationWanted(), messages);
+  Osd::VulkanDevice device = deviceOf(engine);
+  device.getInstanceProcAddr = nullptr;
+  device.getDeviceProcAddr = nullptr;
+  auto evaluator = Meshes::must(Osd::VulkanEvaluator::create(device));
+  EXPECT_TRUE(agrees(evaluator, {Meshes::randomTable({.sourceCount = 300, .circulants = {{6, 60}}})}, {}, {}));
 }
 
 TEST(CallersDevice, TwoDevicesOnTwoThreads) {
