@@ -65,10 +65,13 @@ TEST_F(HostMemoryTest, EachAllocationThatFailsIsAnErrorAndLeavesNothingBehind) {
       auto evaluator = Osd::VulkanEvaluator::create(spy.device(), {.stageEverything = true});
       auto table = evaluator ? evaluator->upload(pointers, nullptr) : tl::unexpected(evaluator.error());
       auto session = table ? Osd::VulkanSession::create(*evaluator, *table) : tl::unexpected(table.error());
+      const auto binding = session ? evaluator->bind(*table, {.control = session->range(Osd::PointBuffer::control),
+                                                              .refined = session->range(Osd::PointBuffer::refined)})
+                                   : tl::unexpected(session.error());
       complete = allocationsLeft > 0;
       allocationsLeft = 0;
-      EXPECT_EQ(session.has_value(), complete) << "allocation " << failures + 1;
-      EXPECT_EQ(session ? ErrorCode::outOfMemory : session.error().code, ErrorCode::outOfMemory);
+      EXPECT_EQ(binding.has_value(), complete) << "allocation " << failures + 1;
+      EXPECT_EQ(binding ? ErrorCode::outOfMemory : binding.error().code, ErrorCode::outOfMemory);
     }
     EXPECT_EQ(spy.alive(), 0) << "allocation " << failures + 1;
   }
