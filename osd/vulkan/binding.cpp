@@ -12,13 +12,13 @@ namespace honeycomb::Osd {
 
 Result<VulkanBinding> VulkanBinding::create(const std::shared_ptr<const VulkanCore>& core,
                                             const std::shared_ptr<VulkanPipelines>& pipelines, const VulkanTable& table,
-                                            const VulkanTargets& targets) {
+                                            const VulkanTargets& targets, const VulkanBindingOptions& options) {
   VulkanBinding binding;
   binding.core_ = core;
   binding.pipelines_ = pipelines;
   binding.table_ = table;
   if (const auto resolved = binding.resolve(targets); !resolved) return tl::unexpected(resolved.error());
-  if (const auto made = binding.makeScratch(); !made) return tl::unexpected(made.error());
+  if (const auto made = binding.makeScratch(options.scratchOf); !made) return tl::unexpected(made.error());
   if (const auto made = binding.makeSets(); !made) return tl::unexpected(made.error());
   return binding;
 }
@@ -62,15 +62,25 @@ Result<void> VulkanBinding::resolve(const VulkanTargets& targets) {
   return {};
 }
 
-Result<void> VulkanBinding::makeScratch() {
+Result<void> VulkanBinding::makeScratch(const VulkanBinding* shared) {
+  if (shared != nullptr) {
+    if (shared->table_.state_ != table_.state_) {
+      return fail(ErrorCode::invalidOption, "scratch memory is shared by bindings of different tables");
+    }
+    scratch_ = shared->scratch_;
+    std::ranges::copy(std::span(shared->ranges_).last<kScratchBuffers>(), ranges_.begin() + kCallerBuffers);
+    return {};
+  }
+  auto made = std::make_shared<std::array<VulkanBuffer, kScratchBuffers>>();
   for (std::size_t i = 0; i < kScratchBuffers; ++i) {
     const std::uint64_t needed = table_.bytesOf(static_cast<PointBuffer>(kCallerBuffers + i));
     if (needed == 0) continue;
     auto buffer = VulkanBuffer::create(core_, needed, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, MemoryUse::device);
     if (!buffer) return tl::unexpected(buffer.error());
-    scratch_[i] = std::move(*buffer);
-    ranges_[kCallerBuffers + i] = scratch_[i].range();
+    (*made)[i] = std::move(*buffer);
+    ranges_[kCallerBuffers + i] = (*made)[i].range();
   }
+  scratch_ = std::move(made);
   return {};
 }
 
@@ -192,7 +202,7 @@ void VulkanBinding::record(VkCommandBuffer commands) const {
 
 std::uint64_t VulkanBinding::scratchBytes() const {
   std::uint64_t bytes = 0;
-  for (const VulkanBuffer& buffer : scratch_) bytes += buffer.size();
+  for (const VulkanBuffer& buffer : *scratch_) bytes += buffer.size();
   return bytes;
 }
 

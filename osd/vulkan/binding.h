@@ -17,6 +17,16 @@ struct VulkanTargets {
   VulkanRange facePositions{}, faceNormals{};
 };
 
+class VulkanBinding;
+
+/// How a binding works.
+struct VulkanBindingOptions {
+  bool timing = false;  ///< take the time of each level; see VulkanBinding::levelTimes. Off, it costs nothing
+  /// Share the scratch memory of another binding of the same table; both are recorded for one queue, where the barrier
+  /// that a recording begins with keeps them apart. Null: scratch of its own.
+  const VulkanBinding* scratchOf = nullptr;
+};
+
 /// A table bound to buffers: its descriptor sets and scratch memory, so that recording allocates nothing. May be
 /// recorded any number of times, in command buffers that run one after the other; for frames in flight make one for
 /// each. Must outlive the execution of what was recorded with it.
@@ -25,11 +35,12 @@ class VulkanBinding {
   /// Errors: invalidOption for a missing, misaligned or short buffer; outOfMemory.
   static Result<VulkanBinding> create(const std::shared_ptr<const VulkanCore>& core,
                                       const std::shared_ptr<VulkanPipelines>& pipelines, const VulkanTable& table,
-                                      const VulkanTargets& targets);
+                                      const VulkanTargets& targets, const VulkanBindingOptions& options = {});
 
   void record(VkCommandBuffer commands) const;
   /// Bytes of device memory for levels in between.
   std::uint64_t scratchBytes() const;
+  bool sharesScratch(const VulkanBinding& other) const { return scratch_ == other.scratch_; }
 
  private:
   struct Command {
@@ -40,7 +51,7 @@ class VulkanBinding {
   };
 
   Result<void> resolve(const VulkanTargets& targets);
-  Result<void> makeScratch();
+  Result<void> makeScratch(const VulkanBinding* shared);
   Result<void> makeSets();
   Result<void> makePool(std::uint32_t sets);
   Result<std::vector<VkDescriptorSet>> allocateSets(std::uint32_t count) const;
@@ -52,7 +63,7 @@ class VulkanBinding {
   std::shared_ptr<const VulkanCore> core_;
   std::shared_ptr<VulkanPipelines> pipelines_;
   VulkanTable table_;
-  std::array<VulkanBuffer, kScratchBuffers> scratch_;
+  std::shared_ptr<const std::array<VulkanBuffer, kScratchBuffers>> scratch_;
   std::array<VulkanRange, kCallerBuffers + kScratchBuffers> ranges_{};
   DeviceHandle<VkDescriptorPool> pool_;
   std::vector<std::vector<Command>> phases_;

@@ -102,6 +102,7 @@ Result<void> VulkanContext::makeDevice(const VulkanContextOptions& options) {
   FeatureChain enabled(info_.apiVersion);
   enabled.enableWhatOf(present);
   dynamicRendering_ = enabled.v13.dynamicRendering == VK_TRUE;
+  device_.timelineSemaphore = enabled.v12.timelineSemaphore == VK_TRUE;
 
   const float priority = 1.0F;
   VkDeviceQueueCreateInfo queue{};

@@ -14,6 +14,7 @@ struct VulkanDevice {
   VkDevice device = VK_NULL_HANDLE;
   VkQueue queue = VK_NULL_HANDLE;  ///< supports compute, and graphics where pictures are drawn
   std::uint32_t queueFamily = 0;
+  bool timelineSemaphore = false;  ///< was this feature switched on with the device? VulkanFrames needs it
   /// Host memory of every object that is created from this device; null: the driver's own. Not for the device itself.
   const VkAllocationCallbacks* allocator = nullptr;
   /// Where functions are looked up; null: in the machine's Vulkan loader, opened when first needed.

@@ -43,8 +43,10 @@ Result<VulkanTable> VulkanEvaluator::upload(std::span<const Far::LevelTable* con
   return guarded([&]() -> Result<VulkanTable> { return buildTable(core_, *pipelines_, levels, limits, options); });
 }
 
-Result<VulkanBinding> VulkanEvaluator::bind(const VulkanTable& table, const VulkanTargets& targets) const {
-  return guarded([&]() -> Result<VulkanBinding> { return VulkanBinding::create(core_, pipelines_, table, targets); });
+Result<VulkanBinding> VulkanEvaluator::bind(const VulkanTable& table, const VulkanTargets& targets,
+                                            const VulkanBindingOptions& options) const {
+  return guarded(
+      [&]() -> Result<VulkanBinding> { return VulkanBinding::create(core_, pipelines_, table, targets, options); });
 }
 
 }  // namespace honeycomb::Osd

@@ -35,7 +35,8 @@ class VulkanEvaluator {
                              const VulkanTableOptions& options = {});
 
   /// Prepares a table to work on the caller's buffers: descriptor sets and scratch. Errors: see VulkanBinding.
-  Result<VulkanBinding> bind(const VulkanTable& table, const VulkanTargets& targets) const;
+  Result<VulkanBinding> bind(const VulkanTable& table, const VulkanTargets& targets,
+                             const VulkanBindingOptions& options = {}) const;
 
   /// Records the dispatches of all levels and limits, with one barrier between a level and the next. Only records:
   /// never submits, allocates or updates. The command buffer must be in the recording state outside a render pass, of a

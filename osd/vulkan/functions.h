@@ -34,6 +34,7 @@
   X(vkCreateDescriptorSetLayout)             \
   X(vkCreateFence)                           \
   X(vkCreatePipelineLayout)                  \
+  X(vkCreateSemaphore)                       \
   X(vkCreateShaderModule)                    \
   X(vkDestroyBuffer)                         \
   X(vkDestroyCommandPool)                    \
@@ -42,15 +43,18 @@
   X(vkDestroyFence)                          \
   X(vkDestroyPipeline)                       \
   X(vkDestroyPipelineLayout)                 \
+  X(vkDestroySemaphore)                      \
   X(vkDestroyShaderModule)                   \
   X(vkEndCommandBuffer)                      \
   X(vkFreeMemory)                            \
   X(vkGetBufferMemoryRequirements2)          \
+  X(vkGetSemaphoreCounterValue)              \
   X(vkMapMemory)                             \
   X(vkQueueSubmit)                           \
   X(vkResetFences)                           \
   X(vkUpdateDescriptorSets)                  \
-  X(vkWaitForFences)
+  X(vkWaitForFences)                         \
+  X(vkWaitSemaphores)
 
 namespace honeycomb::Osd {
 

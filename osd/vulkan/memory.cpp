@@ -132,7 +132,7 @@ Result<SharedBuffer> SharedBuffer::create(const std::shared_ptr<const VulkanCore
   auto device = VulkanBuffer::create(core, bytes, usage | copied, MemoryUse::device);
   if (!device) return tl::unexpected(device.error());
   shared.device_ = std::move(*device);
-  if (shared.device_.mapped()) return shared;
+  if (shared.device_.mapped() || use == MemoryUse::device) return shared;
   auto host = VulkanBuffer::create(core, bytes, copied, use);
   if (!host) return tl::unexpected(host.error());
   shared.host_ = std::move(*host);

@@ -56,14 +56,16 @@ class VulkanBuffer {
 class SharedBuffer {
  public:
   SharedBuffer() = default;
-  /// `use` is upload or readback. Errors: outOfMemory.
+  /// `use`: device for one that the host needn't see. Errors: outOfMemory.
   static Result<SharedBuffer> create(const std::shared_ptr<const VulkanCore>& core, std::uint64_t bytes,
                                      VkBufferUsageFlags usage, MemoryUse use);
 
   VulkanRange range() const { return device_.range(); }
-  /// What the host sees.
+  /// What the host sees; empty where it sees nothing.
   std::span<std::byte> bytes() const { return device_.mapped() ? device_.bytes() : host_.bytes(); }
   std::span<float> numbers() const { return device_.mapped() ? device_.numbers() : host_.numbers(); }
+  /// Is what the host sees the device's own memory?
+  bool mapped() const { return device_.mapped(); }
   bool staged() const { return host_.handle() != VK_NULL_HANDLE; }
   VulkanRange hostRange() const { return host_.range(); }
 

@@ -56,7 +56,7 @@ class LimitsTest : public VulkanTest {
   Result<Osd::VulkanSession> session(Osd::VulkanEvaluator& evaluator, const Osd::VulkanTableOptions& options) {
     auto table = evaluator.upload(std::vector<const Far::LevelTable*>{&level}, &limits, options);
     if (!table) return tl::unexpected(table.error());
-    auto made = Osd::VulkanSession::create(evaluator, std::move(*table));
+    auto made = Osd::VulkanSession::create(evaluator, *table);
     if (made) std::ranges::copy(randomNumbers(options.control.extent(level.sourceCount)), made->control().begin());
     return made;
   }

@@ -48,7 +48,7 @@ testing::AssertionResult agrees(Osd::VulkanEvaluator& evaluator, const std::vect
                                 const Osd::BufferDescriptor& control, const Osd::BufferDescriptor& refined) {
   auto table = evaluator.upload(pointersTo(levels), nullptr, {.control = control, .refined = refined});
   if (!table) return testing::AssertionFailure() << table.error().message;
-  auto session = Osd::VulkanSession::create(evaluator, std::move(*table));
+  auto session = Osd::VulkanSession::create(evaluator, *table);
   if (!session) return testing::AssertionFailure() << session.error().message;
   std::vector<float> out(session->refined().size());
   for (const std::uint32_t frame : {1U, 2U}) {
