@@ -55,7 +55,8 @@ Result<Io::Pc2Reader> openCache(const BakeCommand& command, const MeshInput& inp
 Result<void> writeMesh(const BakeCommand& command, const BakeFrames& job, const std::vector<float>& points) {
   const Result<const MeshFormat*> format = meshFormat(command.mesh);
   if (!format) return tl::unexpected(format.error());
-  const auto primvars = refinePrimvars<float>(job.input, job.refinement, job.central.given, *job.evaluators.front());
+  const auto primvars =
+      refinePrimvars<float>(job.input, job.refinement, job.central.given, *job.evaluators.each.front());
   if (!primvars) return tl::unexpected(inFile(job.input.file, primvars.error()));
   const Far::Topology& topology = job.refinement.last().topology;
   Io::ObjContent<float> content{points, {}, topology.faceOffsets(), topology.vert()};
@@ -95,7 +96,7 @@ Result<void> printSummary(const BakeCommand& command, const Session& session, co
                                     {"backend", plan.backend->name()},
                                     {"dropped_vertices", plan.mesh.input.dropped()},
                                     {"frames", job.range.count()},
-                                    {"frames_at_once", job.evaluators.size()},
+                                    {"frames_at_once", job.atOnce()},
                                     {"vertices", refined.vertexCount()},
                                     {"faces", refined.faceCount()},
                                     {"table_bytes", job.refinement.byteCount()},
@@ -127,7 +128,7 @@ Result<void> bake(const BakeCommand& command, const Session& session) {
   if (!evaluators) return tl::unexpected(evaluators.error());
   const double buildMs = stopwatch.lap();
 
-  const BakeFrames job{*cache, *range, plan->mesh.input, *central, *refinement, evaluators->each, command.cache};
+  const BakeFrames job{*cache, *range, plan->mesh.input, *central, *refinement, *evaluators, command.cache};
   const Io::Pc2Info info{refinement->last().topology.vertexCount(), range->count(),
                          cache->info().start + static_cast<float>(range->begin) * cache->info().rate,
                          cache->info().rate};

@@ -75,26 +75,78 @@ void bakeWindow(const BakeFrames& job, std::int32_t first, std::int32_t count, s
   Parallel::forEach(0, count, bakeSlot, 1);
 }
 
-}  // namespace
+/// Where refined frames go.
+struct Sink {
+  const BakeFrames& job;
+  Io::Pc2Writer& writer;
+  std::vector<float>* firstFrame;
 
-Result<void> bakeFrames(const BakeFrames& job, const Session& session, Io::Pc2Writer& writer,
-                        std::vector<float>* firstFrame) {
+  Result<void> write(std::int32_t frame, const Surface<float>& surface) const {
+    if (const auto written = writer.write(surface.vertices()); !written) return written;
+    if (firstFrame && frame == job.range.begin)
+      firstFrame->assign(surface.vertices().begin(), surface.vertices().end());
+    return {};
+  }
+};
+
+Result<void> bakeTasks(const BakeFrames& job, const Sink& sink, Progress& progress) {
   std::vector<Slot> slots;
-  for (const auto& evaluator : job.evaluators) slots.push_back({*evaluator, {}, {}, {}});
-  const auto atOnce = static_cast<std::int32_t>(slots.size());
-  Progress progress(session, "baking", "frames", job.range.count());
-  for (std::int32_t first = job.range.begin; first < job.range.end; first += atOnce) {
-    const std::int32_t count = std::min(atOnce, job.range.end - first);
+  for (const auto& evaluator : job.evaluators.each) slots.push_back({*evaluator, {}, {}, {}});
+  for (std::int32_t first = job.range.begin; first < job.range.end; first += job.atOnce()) {
+    const std::int32_t count = std::min(job.atOnce(), job.range.end - first);
     bakeWindow(job, first, count, slots, progress);
     for (std::int32_t i = 0; i < count; ++i) {
       const Slot& slot = slots[at(i)];
       if (!slot.result) return slot.result;
-      if (const auto written = writer.write(slot.surface.vertices()); !written) return written;
-      if (firstFrame && first + i == job.range.begin)
-        firstFrame->assign(slot.surface.vertices().begin(), slot.surface.vertices().end());
+      if (const auto written = sink.write(first + i, slot.surface); !written) return written;
     }
   }
   return {};
+}
+
+Result<void> submitFrame(const BakeFrames& job, std::int32_t frame, std::vector<float>& storage) {
+  if (interruptSignal() != 0) return fail(ErrorCode::unwritable, "interrupted");
+  const Result<std::span<const float>> control = controlPoints(job, frame, storage);
+  if (!control) return tl::unexpected(control.error());
+  if (const auto sent = job.evaluators.stream->submit(*control); !sent)
+    return tl::unexpected(ofFrame(job, frame, sent.error()));
+  return {};
+}
+
+Result<void> collectFrame(const BakeFrames& job, std::int32_t frame, Surface<float>& surface) {
+  Result<void> done = job.evaluators.stream->collect(surface);
+  if (done) done = checkFinite<float>(surface.vertices());
+  if (!done) return tl::unexpected(ofFrame(job, frame, done.error()));
+  return {};
+}
+
+/// The frame `depth` before is collected and written while those between are refined. After a frame that can't be sent
+/// off, those before it come first, since one of them may have an error too.
+Result<void> bakeStream(const BakeFrames& job, const Sink& sink, Progress& progress) {
+  std::vector<float> control;
+  Surface<float> surface;
+  Result<void> sent;
+  std::int32_t end = job.range.end;
+  for (std::int32_t frame = job.range.begin; frame < end + job.atOnce(); ++frame) {
+    const std::int32_t oldest = frame - job.atOnce();
+    if (oldest >= job.range.begin) {
+      if (const auto collected = collectFrame(job, oldest, surface); !collected) return collected;
+      if (const auto written = sink.write(oldest, surface); !written) return written;
+      progress.advance(1);
+    }
+    if (frame < end) sent = submitFrame(job, frame, control);
+    if (!sent) end = std::min(end, frame);
+  }
+  return sent;
+}
+
+}  // namespace
+
+Result<void> bakeFrames(const BakeFrames& job, const Session& session, Io::Pc2Writer& writer,
+                        std::vector<float>* firstFrame) {
+  Progress progress(session, "baking", "frames", job.range.count());
+  const Sink sink{job, writer, firstFrame};
+  return job.evaluators.stream ? bakeStream(job, sink, progress) : bakeTasks(job, sink, progress);
 }
 
 }  // namespace honeycomb::Cli

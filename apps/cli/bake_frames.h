@@ -23,12 +23,17 @@ struct BakeFrames {
   const MeshInput& input;
   const CentralPoints& central;
   const Far::Refinement& refinement;
-  std::span<const std::unique_ptr<SurfaceEvaluator>> evaluators;  ///< one for each frame refined at the same time
-  std::string cacheFile;                                          ///< for messages
+  const FrameEvaluators& evaluators;
+  std::string cacheFile;  ///< for messages
+  /// Frames in memory.
+  int atOnce() const {
+    return evaluators.stream ? evaluators.stream->depth() : static_cast<int>(evaluators.each.size());
+  }
 };
 
-/// Reads, refines and writes the frames in order, as many of them in memory as there are evaluators, each a task of its
-/// own. Keeps the points of the first one in `firstFrame` unless that is null. Errors: the first frame's that has one.
+/// Reads, refines and writes the frames in order: through the evaluators' stream, or as many of them in memory as there
+/// are evaluators, each a task of its own. Keeps the points of the first one in `firstFrame` unless that is null.
+/// Errors: the first frame's that has one.
 Result<void> bakeFrames(const BakeFrames& job, const Session& session, Io::Pc2Writer& writer,
                         std::vector<float>* firstFrame);
 

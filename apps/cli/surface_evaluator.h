@@ -33,9 +33,23 @@ class SurfaceEvaluator {
   virtual Result<void> evaluate(std::span<const double> control, Surface<double>& surface) = 0;
 };
 
+/// Refines frames that follow one another, several of them on their way at a time: what an evaluator is whose work is
+/// done elsewhere. Belongs to one thread at a time.
+class FrameStream {
+ public:
+  virtual ~FrameStream() = default;
+  /// Frames that may be submitted before the first of them is collected.
+  virtual int depth() const = 0;
+  /// Sends a frame off; `control` as for SurfaceEvaluator::evaluate, read before this returns.
+  virtual Result<void> submit(std::span<const float> control) = 0;
+  /// Waits for the oldest frame that is on its way; there must be one.
+  virtual Result<void> collect(Surface<float>& surface) = 0;
+};
+
 /// What refines the frames of a bake.
 struct FrameEvaluators {
   std::vector<std::unique_ptr<SurfaceEvaluator>> each;  ///< one for each frame that is refined at the same time
+  FrameStream* stream = nullptr;                        ///< one of these that the frames go through; null: tasks
   std::int64_t tileBytes = 0;                           ///< of the tiles that they share; 0: they go level after level
 };
 

@@ -1,37 +1,57 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "apps/cli/devices.h"
 #include "apps/cli/surface_evaluator.h"
 #include "osd/vulkan/context.h"
-#include "osd/vulkan/session.h"
+#include "osd/vulkan/frames.h"
 
 namespace honeycomb::Cli {
 namespace {
 
+/// Frames of a bake on their way: one is written to the device's memory, one computed, one read.
+constexpr int kFramesInFlight = 3;
+
 /// Frame after frame on the device, with tables uploaded once.
-class VulkanSurfaceEvaluator : public SurfaceEvaluator {
+class VulkanSurfaceEvaluator : public SurfaceEvaluator, public FrameStream {
  public:
-  VulkanSurfaceEvaluator(Osd::VulkanSession session, std::int32_t vertexCount)
-      : session_(std::move(session)), vertexCount_(vertexCount) {}
+  VulkanSurfaceEvaluator(Osd::VulkanFrames frames, std::int32_t vertexCount)
+      : frames_(std::move(frames)), vertexCount_(vertexCount) {}
+
+  int depth() const override { return static_cast<int>(frames_.framesInFlight()); }
+  Result<void> submit(std::span<const float> control) override {
+    const auto ticket = frames_.submit(control);
+    if (!ticket) return tl::unexpected(ticket.error());
+    newest_ = *ticket;
+    ++onTheirWay_;
+    return {};
+  }
+  Result<void> collect(Surface<float>& surface) override {
+    const Osd::VulkanTicket oldest{newest_.semaphore, newest_.value + 1 - onTheirWay_};
+    --onTheirWay_;
+    if (const auto done = frames_.wait(oldest); !done) return done;
+    const auto results = frames_.results(oldest);
+    if (!results) return tl::unexpected(results.error());
+    surface.vertexCount = vertexCount_;
+    const auto points = (*results)->numbers(Osd::PointBuffer::refined);
+    const auto normals = (*results)->numbers(Osd::PointBuffer::vertexNormals);
+    surface.points.assign(points.begin(), points.end());
+    surface.normals.assign(normals.begin(), normals.end());
+    return {};
+  }
 
   Result<void> evaluate(std::span<const float> control, Surface<float>& surface) override {
-    std::copy(control.begin(), control.end(), session_.control().begin());
-    const Result<void> done = session_.run();
-    if (!done) return done;
-    surface.vertexCount = vertexCount_;
-    surface.points.assign(session_.refined().begin(), session_.refined().end());
-    surface.normals.assign(session_.vertexNormals().begin(), session_.vertexNormals().end());
-    return {};
+    if (const auto sent = submit(control); !sent) return sent;
+    return collect(surface);
   }
   Result<void> evaluate(std::span<const double>, Surface<double>&) override {
     return fail(ErrorCode::unsupported, "the vulkan backend has single precision only; use --backend serial or tbb");
   }
 
  private:
-  Osd::VulkanSession session_;
+  Osd::VulkanFrames frames_;
   std::int32_t vertexCount_;
+  Osd::VulkanTicket newest_;
+  std::uint64_t onTheirWay_ = 0;
 };
 
 class VulkanBackend : public Backend {
@@ -43,20 +63,28 @@ class VulkanBackend : public Backend {
   Result<std::unique_ptr<SurfaceEvaluator>> evaluator(const Far::Refinement& refinement, Normals normals) override {
     Osd::VulkanTableOptions options;
     if (normals == Normals::exact) options.vertexLimits.normals = Osd::BufferDescriptor{};
-    Result<Osd::VulkanSession> session = Osd::VulkanSession::create(evaluator_, refinement, options);
-    if (!session) return tl::unexpected(session.error());
-    return std::make_unique<VulkanSurfaceEvaluator>(std::move(*session), refinement.last().topology.vertexCount());
+    return inFlight(refinement, options, 1);
   }
-  int framesAtOnce() const override { return 1; }
-  Result<FrameEvaluators> frameEvaluators(const Far::Refinement& refinement, std::int32_t, int) override {
-    auto only = evaluator(refinement, Normals::none);
-    if (!only) return tl::unexpected(only.error());
+  int framesAtOnce() const override { return kFramesInFlight; }
+  Result<FrameEvaluators> frameEvaluators(const Far::Refinement& refinement, std::int32_t, int atOnce) override {
+    auto made = inFlight(refinement, {}, atOnce);
+    if (!made) return tl::unexpected(made.error());
     FrameEvaluators evaluators;
-    evaluators.each.push_back(std::move(*only));
+    evaluators.stream = made->get();
+    evaluators.each.push_back(std::move(*made));
     return evaluators;
   }
 
  private:
+  Result<std::unique_ptr<VulkanSurfaceEvaluator>> inFlight(const Far::Refinement& refinement,
+                                                           const Osd::VulkanTableOptions& options, int count) {
+    const auto table = evaluator_.upload(refinement, options);
+    if (!table) return tl::unexpected(table.error());
+    auto frames = Osd::VulkanFrames::create(evaluator_, *table, {.framesInFlight = static_cast<std::uint32_t>(count)});
+    if (!frames) return tl::unexpected(frames.error());
+    return std::make_unique<VulkanSurfaceEvaluator>(std::move(*frames), refinement.last().topology.vertexCount());
+  }
+
   Osd::VulkanContext context_;
   Osd::VulkanEvaluator evaluator_;
 };

@@ -5,7 +5,7 @@
 
 #include "apps/viewer/renderer.h"
 #include "far/tables/refinement.h"
-#include "osd/vulkan/session.h"
+#include "osd/vulkan/frames.h"
 
 namespace honeycomb::Viewer {
 
@@ -14,25 +14,28 @@ namespace honeycomb::Viewer {
 class SurfacePainter {
  public:
   /// The refinement must have its limits (RefineOptions::limits). `device` must outlive the painter.
-  /// Errors: those of Osd::VulkanSession::create and Renderer::create.
+  /// Errors: those of Osd::VulkanEvaluator::upload, Osd::VulkanFrames::create and Renderer::create.
   static Result<SurfacePainter> create(const Osd::VulkanDevice& device, const Far::Refinement& refinement,
                                        const RendererOptions& options);
 
-  /// Refines the control points of a frame, 3 numbers each. Errors: invalidOption for another number of points;
-  /// deviceLost.
+  /// Sends the control points of a frame off, 3 numbers each; pictures are drawn behind it on the device, without a
+  /// wait here. Errors: invalidOption for another number of points; deviceLost.
   Result<void> pose(std::span<const float> control);
-  /// Of the refined points of the last pose.
-  Bounds bounds() const { return boundsOf(session_.refined()); }
-  std::span<const float> points() const { return session_.refined(); }
+  /// The refined points of the last pose, waited for; empty before the first and when the device is lost.
+  std::span<const float> points() const;
+  Bounds bounds() const { return boundsOf(points()); }
 
-  /// The last pose: its surface, or the control mesh it was refined from, whose faces are always faceted.
+  /// The last pose: its surface, or the control mesh it was refined from, whose faces are always faceted. Errors:
+  /// invalidOption before the first pose; those of Renderer::draw.
   Result<Picture> surface(const View& view);
   Result<Picture> cage(const View& view);
 
  private:
-  SurfacePainter(Osd::VulkanSession session, Renderer renderer, CellMesh cells, CellMesh cage);
+  SurfacePainter(Osd::VulkanFrames frames, Renderer renderer, CellMesh cells, CellMesh cage);
+  Result<PointSource> pointsOf(Osd::PointBuffer points) const;
 
-  Osd::VulkanSession session_;
+  Osd::VulkanFrames frames_;
+  Osd::VulkanTicket posed_;
   Renderer renderer_;
   CellMesh cells_;
   CellMesh cage_;

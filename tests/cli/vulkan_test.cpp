@@ -12,11 +12,16 @@ const RunOptions kNoDevice{{{"VK_ICD_FILENAMES", "/nonexistent"}, {"VK_DRIVER_FI
 
 class VulkanBackendTest : public Workplace {
  protected:
-  std::string frames(const std::string& obj, int points) const {
+  /// More frames than are on their way at once.
+  static constexpr int kFrames = 8;
+  std::vector<float> bentFrames(const std::string& obj) const {
     std::vector<float> numbers;
-    for (int f = 0; f < 3; ++f)
+    for (int f = 0; f < kFrames; ++f)
       for (const float number : bentFrame(obj, f)) numbers.push_back(number);
-    return cache("in.pc2", points, 3, numbers);
+    return numbers;
+  }
+  std::string frames(const std::string& obj, int points) const {
+    return cache("in.pc2", points, kFrames, bentFrames(obj));
   }
   bool hasDevice() const { return !nlohmann::json::parse(run({"info", "--json"}).out).at("vulkan_devices").empty(); }
 };
@@ -87,6 +92,46 @@ TEST_F(VulkanBackendTest, BakesAreTheSameAsTheCpus) {
     EXPECT_EQ(outcome.err, "");
   }
   EXPECT_TRUE(read("tbb.pc2") == read("vulkan.pc2"));
+}
+
+TEST_F(VulkanBackendTest, PartsOfAnAnimationAndItsMeshAreTheSameAsTheCpus) {
+  if (!hasDevice()) GTEST_SKIP() << "no Vulkan device";
+  const std::string in = file("torus.obj", torusObj(12)), cacheFile = frames(torusObj(12), 144);
+  for (const std::string range : {"1:2", "2:4", "1:8"}) {
+    for (const std::string backend : {"tbb", "vulkan"}) {
+      const Outcome outcome = run({"bake", in, path(backend + ".pc2"), "--cache", cacheFile, "--levels", "2", "--mesh",
+                                   path(backend + ".obj"), "--frames", range, "--backend", backend});
+      EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    }
+    EXPECT_TRUE(read("tbb.pc2") == read("vulkan.pc2")) << range;
+    EXPECT_TRUE(read("tbb.obj") == read("vulkan.obj")) << range;
+  }
+}
+
+TEST_F(VulkanBackendTest, ABakeHasSeveralFramesOnTheirWay) {
+  if (!hasDevice()) GTEST_SKIP() << "no Vulkan device";
+  const std::string in = file("torus.obj", torusObj(12)), cacheFile = frames(torusObj(12), 144);
+  const Outcome outcome = run({"bake", in, path("out.pc2"), "--cache", cacheFile, "--backend", "vulkan", "--json"});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out).at("frames_at_once"), 3);
+}
+
+TEST_F(VulkanBackendTest, TheFirstFrameThatOverflowsIsNamed) {
+  if (!hasDevice()) GTEST_SKIP() << "no Vulkan device";
+  const std::string in = file("torus.obj", torusObj(12));
+  std::vector<float> numbers = bentFrames(torusObj(12));
+  for (const int frame : {3, 4}) {
+    for (std::size_t i = 0; i < 432; ++i) numbers[static_cast<std::size_t>(frame) * 432 + i] = 3e38F;
+  }
+  const std::string cacheFile = cache("in.pc2", 144, kFrames, numbers);
+  std::vector<std::string> errors;
+  for (const std::string backend : {"tbb", "vulkan"}) {
+    const Outcome outcome = run({"bake", in, path("out.pc2"), "--cache", cacheFile, "--backend", backend});
+    EXPECT_EQ(outcome.exitCode, 1);
+    errors.push_back(outcome.err);
+  }
+  EXPECT_THAT(errors[1], HasSubstr("frame 3"));
+  EXPECT_EQ(errors[0], errors[1]);
 }
 
 }  // namespace

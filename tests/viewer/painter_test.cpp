@@ -60,6 +60,34 @@ TEST_F(PainterTest, DrawsFromTheComputeBuffersWhatTheCpuComputes) {
   EXPECT_EQ(picture->rgba, drawnFromHost(refinement, view).rgba);
 }
 
+TEST_F(PainterTest, EveryPoseOfAPlaybackIsDrawnFromItsOwnPoints) {
+  const Far::Refinement refinement = refined(2);
+  auto painter = Viewer::SurfacePainter::create(context->device(), refinement, kPainterSize).value();
+  const Viewer::View view = viewOf(cube.points);
+  const auto scaled = [this](float factor) {
+    std::vector<float> points = cube.points;
+    for (float& number : points) number *= factor;
+    return points;
+  };
+  // More poses than are in flight, drawn without a look at the points in between.
+  std::vector<std::vector<std::uint8_t>> pictures;
+  for (const float factor : {1.0F, 0.5F, 0.8F, 1.0F}) {
+    ASSERT_TRUE(painter.pose(scaled(factor)));
+    pictures.push_back(painter.surface(view).value().rgba);
+  }
+  EXPECT_EQ(pictures[0], pictures[3]);
+  EXPECT_NE(pictures[0], pictures[1]);
+  EXPECT_EQ(pictures[0], drawnFromHost(refinement, view).rgba);
+}
+
+TEST_F(PainterTest, ThereIsNothingToDrawBeforeTheFirstPose) {
+  auto painter = Viewer::SurfacePainter::create(context->device(), refined(1), kPainterSize).value();
+  EXPECT_TRUE(painter.points().empty());
+  const auto refused = painter.surface(viewOf(cube.points));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::invalidOption);
+}
+
 TEST_F(PainterTest, CageIsLargerThanItsSurface) {
   auto painter = Viewer::SurfacePainter::create(context->device(), refined(2), kPainterSize);
   ASSERT_TRUE(painter) << painter.error().message;
