@@ -20,6 +20,9 @@ Result<VulkanBinding> VulkanBinding::create(const std::shared_ptr<const VulkanCo
   if (const auto resolved = binding.resolve(targets); !resolved) return tl::unexpected(resolved.error());
   if (const auto made = binding.makeScratch(options.scratchOf); !made) return tl::unexpected(made.error());
   if (const auto made = binding.makeSets(); !made) return tl::unexpected(made.error());
+  if (options.timing) {
+    if (const auto made = binding.makeTimer(); !made) return tl::unexpected(made.error());
+  }
   return binding;
 }
 
@@ -185,11 +188,11 @@ void VulkanBinding::record(VkCommandBuffer commands) const {
   const VulkanFunctions& vk = core_->vk();
   // The scratch may still be in use by the same binding, recorded before.
   barrier(commands);
-  bool first = true;
-  for (const auto& phase : phases_) {
-    if (!first && !core_->options.leaveOutBarriers) barrier(commands);
-    first = false;
-    for (const Command& one : phase) {
+  if (timer_) timer_->start(commands);
+  std::uint32_t part = 0;
+  for (std::size_t p = 0; p < phases_.size(); ++p) {
+    if (p > 0 && !core_->options.leaveOutBarriers) barrier(commands);
+    for (const Command& one : phases_[p]) {
       vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, one.pipeline);
       vk.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_->layout(), 0, 1, &one.set, 0,
                                  nullptr);
@@ -197,7 +200,35 @@ void VulkanBinding::record(VkCommandBuffer commands) const {
                             &one.push);
       vk.vkCmdDispatch(commands, one.groups, one.groupRows, 1);
     }
+    if (timer_ && timedEnds_[part] == p + 1) timer_->finish(commands, part++);
   }
+}
+
+Result<void> VulkanBinding::makeTimer() {
+  timedEnds_ = table_.state_->levelEnds;
+  if (timedEnds_.back() < phases_.size()) timedEnds_.push_back(phases_.size());
+  auto timer = LevelTimer::create(core_, static_cast<std::uint32_t>(timedEnds_.size()));
+  if (!timer) return tl::unexpected(timer.error());
+  timer_ = std::move(*timer);
+  return {};
+}
+
+Result<std::vector<LevelTime>> VulkanBinding::levelTimes() const {
+  if (!timer_) {
+    return fail(ErrorCode::invalidOption,
+                "the times of levels are wanted of a binding without timing: set "
+                "VulkanBindingOptions::timing");
+  }
+  const auto milliseconds = timer_->milliseconds();
+  if (!milliseconds) return tl::unexpected(milliseconds.error());
+  const auto levels = static_cast<std::int32_t>(table_.state_->levelEnds.size());
+  std::vector<LevelTime> times;
+  for (std::int32_t part = 0; part < static_cast<std::int32_t>(milliseconds->size()); ++part) {
+    const bool limits = part >= levels;
+    const std::int32_t level = table_.options().firstLevel + (limits ? levels : part + 1);
+    times.push_back({level, limits, (*milliseconds)[static_cast<std::size_t>(part)]});
+  }
+  return times;
 }
 
 std::uint64_t VulkanBinding::scratchBytes() const {

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "osd/vulkan/level_timer.h"
 #include "osd/vulkan/table.h"
 
 namespace honeycomb::Osd {
@@ -27,17 +29,28 @@ struct VulkanBindingOptions {
   const VulkanBinding* scratchOf = nullptr;
 };
 
+/// What a level, or the limits of the last one, took in a frame.
+struct LevelTime {
+  std::int32_t level = 0;  ///< counted from VulkanTableOptions::firstLevel
+  bool limits = false;     ///< the limits of that level, beside the level itself
+  double milliseconds = 0;
+};
+
 /// A table bound to buffers: its descriptor sets and scratch memory, so that recording allocates nothing. May be
 /// recorded any number of times, in command buffers that run one after the other; for frames in flight make one for
 /// each. Must outlive the execution of what was recorded with it.
 class VulkanBinding {
  public:
-  /// Errors: invalidOption for a missing, misaligned or short buffer; outOfMemory.
+  /// Errors: invalidOption for a missing, misaligned or short buffer, or scratch of another table; outOfMemory;
+  /// unsupported when timing is wanted of a queue without timestamps.
   static Result<VulkanBinding> create(const std::shared_ptr<const VulkanCore>& core,
                                       const std::shared_ptr<VulkanPipelines>& pipelines, const VulkanTable& table,
                                       const VulkanTargets& targets, const VulkanBindingOptions& options = {});
 
   void record(VkCommandBuffer commands) const;
+  /// What each level took on the device in the last frame recorded with this binding, which must have run. Errors:
+  /// invalidOption without VulkanBindingOptions::timing, or before the first frame; deviceLost.
+  Result<std::vector<LevelTime>> levelTimes() const;
   /// Bytes of device memory for levels in between.
   std::uint64_t scratchBytes() const;
   bool sharesScratch(const VulkanBinding& other) const { return scratch_ == other.scratch_; }
@@ -58,6 +71,7 @@ class VulkanBinding {
   void writeSet(VkDescriptorSet set, const TableStage& stage, const BoundRanges& ranges) const;
   VkDescriptorBufferInfo bufferOf(const TableStage& stage, const BoundRange& range) const;
   VkDescriptorBufferInfo sourcePage(const TableStage& stage, std::uint32_t page) const;
+  Result<void> makeTimer();
   void barrier(VkCommandBuffer commands) const;
 
   std::shared_ptr<const VulkanCore> core_;
@@ -67,6 +81,8 @@ class VulkanBinding {
   std::array<VulkanRange, kCallerBuffers + kScratchBuffers> ranges_{};
   DeviceHandle<VkDescriptorPool> pool_;
   std::vector<std::vector<Command>> phases_;
+  std::vector<std::size_t> timedEnds_;  ///< phases up to the end of each part that is timed
+  std::optional<LevelTimer> timer_;
 };
 
 }  // namespace honeycomb::Osd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 
 #include "osd/vulkan/device.h"
@@ -22,6 +23,9 @@ struct VulkanEvaluatorOptions {
   /// Bytes of device memory the evaluator may hold at once with all its tables, bindings, sessions and what is staged;
   /// 0: all that the device has to give.
   std::uint64_t maxDeviceBytes = 0;
+  /// A file that keeps compiled pipelines from one run to the next, see PipelineCache; empty: none. Written behind an
+  /// upload that compiled something; a failure shows in VulkanEvaluator::savePipelines alone.
+  std::filesystem::path pipelineCache{};
   /// Treat no memory as shared between host and device, as on a discrete GPU: everything goes through staging.
   bool stageEverything = false;
   /// Leave out the barriers between levels: results are wrong, and synchronization validation must say so.

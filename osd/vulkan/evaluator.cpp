@@ -40,7 +40,15 @@ Result<VulkanTable> VulkanEvaluator::upload(const Far::Refinement& refinement, c
 
 Result<VulkanTable> VulkanEvaluator::upload(std::span<const Far::LevelTable* const> levels,
                                             const Far::LimitTable* limits, const VulkanTableOptions& options) {
-  return guarded([&]() -> Result<VulkanTable> { return buildTable(core_, *pipelines_, levels, limits, options); });
+  auto table =
+      guarded([&]() -> Result<VulkanTable> { return buildTable(core_, *pipelines_, levels, limits, options); });
+  // A cache that can't be written costs time at the next start, and nothing else.
+  if (table) static_cast<void>(savePipelines());
+  return table;
+}
+
+Result<void> VulkanEvaluator::savePipelines() const {
+  return guarded([&]() -> Result<void> { return pipelines_->save(); });
 }
 
 Result<VulkanBinding> VulkanEvaluator::bind(const VulkanTable& table, const VulkanTargets& targets,

@@ -51,6 +51,12 @@ class VulkanEvaluator {
   ///                 to those who read, at VERTEX_INPUT / VERTEX_ATTRIBUTE_READ or HOST / HOST_READ for instance
   void record(VkCommandBuffer commands, const VulkanBinding& binding) const { binding.record(commands); }
 
+  /// Did compiled pipelines come from the file VulkanEvaluatorOptions::pipelineCache names?
+  bool pipelinesFromFile() const { return pipelines_->cache().startedFromFile(); }
+  /// Writes that file now, if anything was compiled since the last time; upload() does so too and is silent about
+  /// failures. Errors: unwritable, outOfMemory.
+  Result<void> savePipelines() const;
+
   /// What the device allows.
   const VulkanLimits& limits() const { return core_->limits; }
   const std::shared_ptr<const VulkanCore>& core() const { return core_; }

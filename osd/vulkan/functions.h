@@ -11,6 +11,7 @@
 #define HONEYCOMB_VULKAN_INSTANCE_FUNCTIONS(X) \
   X(vkEnumerateDeviceExtensionProperties)      \
   X(vkGetPhysicalDeviceMemoryProperties2)      \
+  X(vkGetPhysicalDeviceQueueFamilyProperties)  \
   X(vkGetPhysicalDeviceProperties2)
 
 /// X(name) for every function of the device that evaluators call.
@@ -27,13 +28,17 @@
   X(vkCmdFillBuffer)                         \
   X(vkCmdPipelineBarrier)                    \
   X(vkCmdPushConstants)                      \
+  X(vkCmdResetQueryPool)                     \
+  X(vkCmdWriteTimestamp)                     \
   X(vkCreateBuffer)                          \
   X(vkCreateCommandPool)                     \
   X(vkCreateComputePipelines)                \
   X(vkCreateDescriptorPool)                  \
   X(vkCreateDescriptorSetLayout)             \
   X(vkCreateFence)                           \
+  X(vkCreatePipelineCache)                   \
   X(vkCreatePipelineLayout)                  \
+  X(vkCreateQueryPool)                       \
   X(vkCreateSemaphore)                       \
   X(vkCreateShaderModule)                    \
   X(vkDestroyBuffer)                         \
@@ -42,12 +47,16 @@
   X(vkDestroyDescriptorSetLayout)            \
   X(vkDestroyFence)                          \
   X(vkDestroyPipeline)                       \
+  X(vkDestroyPipelineCache)                  \
   X(vkDestroyPipelineLayout)                 \
+  X(vkDestroyQueryPool)                      \
   X(vkDestroySemaphore)                      \
   X(vkDestroyShaderModule)                   \
   X(vkEndCommandBuffer)                      \
   X(vkFreeMemory)                            \
   X(vkGetBufferMemoryRequirements2)          \
+  X(vkGetPipelineCacheData)                  \
+  X(vkGetQueryPoolResults)                   \
   X(vkGetSemaphoreCounterValue)              \
   X(vkMapMemory)                             \
   X(vkQueueSubmit)                           \

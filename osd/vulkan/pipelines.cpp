@@ -41,6 +41,9 @@ Result<std::unique_ptr<VulkanPipelines>> VulkanPipelines::create(std::shared_ptr
   if (const auto made = pipelines->makeSetLayout(); !made) return tl::unexpected(made.error());
   if (const auto made = pipelines->makeLayout(); !made) return tl::unexpected(made.error());
   if (const auto made = pipelines->makeModules(); !made) return tl::unexpected(made.error());
+  auto cache = PipelineCache::open(pipelines->core_, pipelines->core_->options.pipelineCache);
+  if (!cache) return tl::unexpected(cache.error());
+  pipelines->cache_ = std::move(*cache);
   return pipelines;
 }
 
@@ -103,6 +106,14 @@ Result<VkPipeline> VulkanPipelines::get(Kernel kernel, const Specialization& spe
   return pipelines_.emplace(key, std::move(*pipeline)).first->second.get();
 }
 
+Result<void> VulkanPipelines::save() {
+  const std::lock_guard lock(mutex_);
+  if (saved_ == pipelines_.size()) return {};
+  const auto saved = cache_.save();
+  if (saved) saved_ = pipelines_.size();
+  return saved;
+}
+
 Result<DeviceHandle<VkPipeline>> VulkanPipelines::make(Kernel kernel, const Specialization& specialization) const {
   std::array<VkSpecializationMapEntry, kSpecializationCount> entries{};
   for (std::uint32_t i = 0; i < kSpecializationCount; ++i) {
@@ -118,7 +129,7 @@ Result<DeviceHandle<VkPipeline>> VulkanPipelines::make(Kernel kernel, const Spec
   info.stage.pSpecializationInfo = &constants;
   info.layout = layout_.get();
   VkPipeline pipeline = VK_NULL_HANDLE;
-  const VkResult result = core_->vk().vkCreateComputePipelines(core_->device.device, VK_NULL_HANDLE, 1, &info,
+  const VkResult result = core_->vk().vkCreateComputePipelines(core_->device.device, cache_.handle(), 1, &info,
                                                                core_->device.allocator, &pipeline);
   if (result != VK_SUCCESS) return vulkanFailure(result, "create a compute pipeline");
   return core_->own(pipeline, core_->vk().vkDestroyPipeline);

@@ -11,6 +11,7 @@
 #include "osd/vulkan/core.h"
 #include "osd/vulkan/handles.h"
 #include "osd/vulkan/kernels.h"
+#include "osd/vulkan/pipeline_cache.h"
 
 namespace honeycomb::Osd {
 
@@ -27,6 +28,10 @@ class VulkanPipelines {
   VkPipelineLayout layout() const { return layout_.get(); }
   Result<VkPipeline> get(Kernel kernel, const Specialization& specialization);
 
+  const PipelineCache& cache() const { return cache_; }
+  /// Writes the cache's file if a pipeline was compiled since the last time. Errors: unwritable, outOfMemory.
+  Result<void> save();
+
  private:
   explicit VulkanPipelines(std::shared_ptr<const VulkanCore> core) : core_(std::move(core)) {}
   Result<void> makeSetLayout();
@@ -38,8 +43,10 @@ class VulkanPipelines {
   DeviceHandle<VkDescriptorSetLayout> setLayout_;
   DeviceHandle<VkPipelineLayout> layout_;
   std::array<DeviceHandle<VkShaderModule>, kKernelCount> modules_;
+  PipelineCache cache_;
   std::mutex mutex_;
   std::map<std::pair<Kernel, Specialization>, DeviceHandle<VkPipeline>> pipelines_;
+  std::size_t saved_ = 0;  ///< pipelines there were when the cache was written
 };
 
 }  // namespace honeycomb::Osd

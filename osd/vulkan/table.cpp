@@ -139,6 +139,7 @@ Result<void> TableBuilder::addLevels(std::span<const LevelTable* const> levels) 
     auto steps = level(*levels[i], source, target);
     if (!steps) return tl::unexpected(steps.error());
     for (auto& step : *steps) state_.phases.push_back(std::move(step));
+    state_.levelEnds.push_back(state_.phases.size());
     source = target;
   }
   return {};

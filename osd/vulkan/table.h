@@ -78,6 +78,7 @@ class VulkanTable {
     VulkanTableOptions options;
     std::vector<TableStage> stages;
     std::vector<std::vector<TableDispatch>> phases;  ///< a barrier between one and the next
+    std::vector<std::size_t> levelEnds;              ///< phases up to the end of each level; limits come behind
     std::array<std::uint64_t, kCallerBuffers + kScratchBuffers> bytes{};
     std::int64_t controlCount = 0, refinedCount = 0, faceCount = 0;
   };
