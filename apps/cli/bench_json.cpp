@@ -64,6 +64,15 @@ Json layoutJson(const BenchReport& report, const BenchedLayout& layout, std::str
           {"normals", report.command.normals}};
 }
 
+/// By a device's own clock.
+Json levelsJson(const Bench::Run& run) {
+  Json levels = Json::array();
+  for (const Bench::LevelSpread& level : run.levels)
+    levels.push_back(
+        {{"level", level.level}, {"what", level.limits ? "limits" : "points"}, {"ms", spreadJson(level.ms)}});
+  return levels;
+}
+
 Json runsJson(const BenchReport& report) {
   Json runs = Json::array();
   for (const BenchedLayout& layout : report.layouts) {
@@ -79,6 +88,7 @@ Json runsJson(const BenchReport& report) {
                    {"difference", run.difference},
                    {"table_bytes", run.tableBytes},
                    {"build_ms", run.buildMs}});
+      if (!run.levels.empty()) json["levels"] = levelsJson(run);
       runs.push_back(std::move(json));
     }
   }

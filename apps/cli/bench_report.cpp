@@ -20,6 +20,15 @@ std::string differenceText(double difference) {
   return difference == 0 ? "same bits" : fmt::format("{:.1e}", difference);
 }
 
+/// What each level took, by a device's own clock; empty where none tells.
+std::string levelsText(const Bench::Run& run) {
+  std::string text;
+  for (const Bench::LevelSpread& level : run.levels)
+    fmt::format_to(std::back_inserter(text), "{} {} {:.3f} ms", text.empty() ? "    of which" : ",",
+                   level.limits ? "limits" : fmt::format("level {}", level.level), level.ms.median);
+  return text.empty() ? text : text + "\n";
+}
+
 /// GB/s of output from ns per vertex.
 double rate(const BenchedLayout& measured, const Bench::Run& run) {
   const double bytes = static_cast<double>(measured.layout.desc.stride) * sizeof(float);
@@ -44,6 +53,7 @@ std::string benchTable(const BenchedLayout& measured) {
                    run.evaluator, threadsText(run.threads), grouped(run.vertices), run.nsPerVertex.median,
                    run.nsPerVertex.min, run.nsPerVertex.max, run.cpuNsPerVertex.median, rate(measured, run),
                    run.buildMs, humanBytes(run.tableBytes), differenceText(run.difference));
+    text += levelsText(run);
   }
   for (const Bench::Skip& skip : measured.comparisons.skips)
     fmt::format_to(std::back_inserter(text), "  {:<20} skipped: {}\n", skip.evaluator, skip.why);

@@ -2,6 +2,7 @@
 
 #include "apps/cli/devices.h"
 #include "apps/cli/surface_evaluator.h"
+#include "io/cache_folder.h"
 #include "osd/vulkan/context.h"
 #include "osd/vulkan/frames.h"
 
@@ -105,7 +106,9 @@ std::string versionText(std::uint32_t version) {
 Result<std::unique_ptr<Backend>> openVulkan() {
   Result<Osd::VulkanContext> context = Osd::VulkanContext::create();
   if (!context) return tl::unexpected(unusable(context.error()));
-  Result<Osd::VulkanEvaluator> evaluator = Osd::VulkanEvaluator::create(context->device());
+  const Osd::VulkanEvaluatorOptions options{.pipelineCache =
+                                                Osd::pipelineCacheIn(Io::cacheFolder(), context->deviceName())};
+  Result<Osd::VulkanEvaluator> evaluator = Osd::VulkanEvaluator::create(context->device(), options);
   if (!evaluator) return tl::unexpected(unusable(evaluator.error()));
   return std::make_unique<VulkanBackend>(std::move(*context), std::move(*evaluator));
 }

@@ -30,6 +30,7 @@ Result<void> save(const std::filesystem::path& path, const Viewer::Picture& pict
 /// What is painted, kept together.
 struct Studio {
   const Osd::VulkanDevice& device;
+  const Osd::VulkanEvaluatorOptions& evaluation;
   const Animation& animation;
   const Far::Topology& control;
   const Far::Scheme& scheme;
@@ -41,7 +42,7 @@ struct Studio {
   Result<Viewer::SurfacePainter> painter(std::int32_t levels, const Viewer::RendererOptions& size) const {
     const auto refinement = Far::refine(control, scheme, levels, {.limits = true, .memoryLimit = 0});
     if (!refinement) return tl::unexpected(refinement.error());
-    return Viewer::SurfacePainter::create(device, *refinement, size);
+    return Viewer::SurfacePainter::create(device, *refinement, size, evaluation);
   }
   Result<void> pose(Viewer::SurfacePainter& painter, std::int32_t frame) const {
     const auto points = animation.cache.frame(frame);
@@ -121,10 +122,11 @@ Result<std::filesystem::path> paintSheet(const Studio& studio, const PictureOpti
 
 }  // namespace
 
-Result<std::vector<std::filesystem::path>> paintPictures(const Osd::VulkanDevice& device, const Animation& animation,
-                                                         const Far::Topology& control, const Far::Scheme& scheme,
-                                                         const PictureOptions& options) {
-  const Studio studio{device, animation, control, scheme, options.frameCount};
+Result<std::vector<std::filesystem::path>> paintPictures(const Osd::VulkanDevice& device,
+                                                         const Osd::VulkanEvaluatorOptions& evaluation,
+                                                         const Animation& animation, const Far::Topology& control,
+                                                         const Far::Scheme& scheme, const PictureOptions& options) {
+  const Studio studio{device, evaluation, animation, control, scheme, options.frameCount};
   auto files = paintFrames(studio, options);
   if (!files) return files;
   const auto sheet = paintSheet(studio, options);

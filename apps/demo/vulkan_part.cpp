@@ -4,6 +4,7 @@
 
 #include "apps/demo/pictures.h"
 #include "far/base/stopwatch.h"
+#include "io/cache_folder.h"
 #include "osd/vulkan/context.h"
 #include "osd/vulkan/session.h"
 
@@ -11,6 +12,7 @@ namespace honeycomb::Demo {
 
 struct VulkanPart::State {
   Osd::VulkanContext context;
+  Osd::VulkanEvaluatorOptions evaluation;
 };
 
 VulkanPart::VulkanPart(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -21,7 +23,8 @@ VulkanPart::~VulkanPart() = default;
 Result<VulkanPart> VulkanPart::open() {
   auto context = Osd::VulkanContext::create();
   if (!context) return tl::unexpected(context.error());
-  return VulkanPart(std::make_unique<State>(State{std::move(*context)}));
+  const auto cache = Osd::pipelineCacheIn(Io::cacheFolder(), context->deviceName());
+  return VulkanPart(std::make_unique<State>(State{std::move(*context), {.pipelineCache = cache}}));
 }
 
 const std::string& VulkanPart::deviceName() const {
@@ -30,7 +33,7 @@ const std::string& VulkanPart::deviceName() const {
 
 Result<Contestant> VulkanPart::contestant(const Far::Refinement& refinement) const {
   const Stopwatch watch;
-  auto evaluator = Osd::VulkanEvaluator::create(state_->context.device());
+  auto evaluator = Osd::VulkanEvaluator::create(state_->context.device(), state_->evaluation);
   if (!evaluator) return tl::unexpected(evaluator.error());
   auto created = Osd::VulkanSession::create(*evaluator, refinement);
   if (!created) return tl::unexpected(created.error());
@@ -49,7 +52,7 @@ Result<std::vector<std::filesystem::path>> VulkanPart::paint(const Animation& an
   if (!state_->context.supportsGraphics()) {
     return fail(ErrorCode::unsupported, state_->context.deviceName() + " computes but does not draw: no pictures");
   }
-  return paintPictures(state_->context.device(), animation, control, scheme, options);
+  return paintPictures(state_->context.device(), state_->evaluation, animation, control, scheme, options);
 }
 
 }  // namespace honeycomb::Demo

@@ -22,8 +22,9 @@ SurfacePainter::SurfacePainter(Osd::VulkanFrames frames, Renderer renderer, Cell
     : frames_(std::move(frames)), renderer_(std::move(renderer)), cells_(std::move(cells)), cage_(std::move(cage)) {}
 
 Result<SurfacePainter> SurfacePainter::create(const Osd::VulkanDevice& device, const Far::Refinement& refinement,
-                                              const RendererOptions& options) {
-  auto evaluator = Osd::VulkanEvaluator::create(device);
+                                              const RendererOptions& options,
+                                              const Osd::VulkanEvaluatorOptions& evaluation) {
+  auto evaluator = Osd::VulkanEvaluator::create(device, evaluation);
   if (!evaluator) return tl::unexpected(evaluator.error());
   Osd::VulkanTableOptions wanted;
   wanted.vertexLimits.normals = Osd::BufferDescriptor{};

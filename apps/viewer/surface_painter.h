@@ -16,7 +16,8 @@ class SurfacePainter {
   /// The refinement must have its limits (RefineOptions::limits). `device` must outlive the painter.
   /// Errors: those of Osd::VulkanEvaluator::upload, Osd::VulkanFrames::create and Renderer::create.
   static Result<SurfacePainter> create(const Osd::VulkanDevice& device, const Far::Refinement& refinement,
-                                       const RendererOptions& options);
+                                       const RendererOptions& options,
+                                       const Osd::VulkanEvaluatorOptions& evaluation = {});
 
   /// Sends the control points of a frame off, 3 numbers each; pictures are drawn behind it on the device, without a
   /// wait here. Errors: invalidOption for another number of points; deviceLost.

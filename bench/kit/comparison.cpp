@@ -103,6 +103,26 @@ std::vector<Run> runsOf(std::vector<Contestant>& contestants, std::span<const Ti
   return runs;
 }
 
+/// The levels of a device's frames, timed by itself. Empty where it can't.
+Result<std::vector<LevelSpread>> levelSpreads(const Prepared& prepared, std::int32_t frames) {
+  std::vector<LevelSpread> spreads;
+  if (!prepared.levels) return spreads;
+  std::vector<std::vector<double>> ms;
+  for (std::int32_t frame = 0; frame < frames; ++frame) {
+    const auto levels = prepared.levels();
+    if (!levels && levels.error().code == ErrorCode::unsupported) return spreads;
+    if (!levels) return tl::unexpected(levels.error());
+    ms.resize(levels->size());
+    spreads.resize(levels->size());
+    for (std::size_t i = 0; i < ms.size(); ++i) {
+      ms[i].push_back((*levels)[i].ms);
+      spreads[i] = {(*levels)[i].level, (*levels)[i].limits, {}};
+    }
+  }
+  for (std::size_t i = 0; i < ms.size(); ++i) spreads[i].ms = spreadOf(std::move(ms[i]));
+  return spreads;
+}
+
 /// The time that is longest has the lowest rate.
 std::vector<Limit> limitsOf(std::int64_t bytes, std::span<const Timing> timings) {
   std::vector<Limit> found;
@@ -138,6 +158,11 @@ Result<Comparisons> compare(const Comparison& comparison) {
   const Result<std::vector<Timing>> timings = sampleInTurns(all, comparison.sampling);
   if (!timings) return tl::unexpected(timings.error());
   const std::span<const Timing> timed(*timings);
+  for (Contestant& contestant : *contestants) {
+    auto levels = levelSpreads(contestant.prepared, comparison.sampling.samples);
+    if (!levels) return tl::unexpected(levels.error());
+    contestant.run.levels = std::move(*levels);
+  }
   results.runs = runsOf(*contestants, timed.first(contestants->size()));
   const auto bytes = static_cast<std::int64_t>(workbench.output().size_bytes());
   results.limits = limitsOf(bytes, timed.subspan(contestants->size()));

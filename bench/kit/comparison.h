@@ -19,6 +19,13 @@ struct Comparison {
   SamplingOptions sampling = {};
 };
 
+/// What a level took in a frame.
+struct LevelSpread {
+  std::int32_t level = 0;
+  bool limits = false;  ///< the limits of that level
+  Spread ms;
+};
+
 /// What was measured of one evaluator.
 struct Run {
   std::string_view evaluator;
@@ -29,6 +36,7 @@ struct Run {
   std::int64_t frames = 0;  ///< timed
   std::int64_t tableBytes = 0;
   double buildMs = 0;
+  std::vector<LevelSpread> levels{};  ///< of a device that tells
   double difference = 0;  ///< from the serial evaluator's numbers at most, in the largest of these; 0: the same bits
 };
 

@@ -61,6 +61,13 @@ struct Problem {
   FlatTable& flat;
 };
 
+/// What a level of a frame took, or the limits of the last, by a device's own clock.
+struct LevelMs {
+  std::int32_t level = 0;
+  bool limits = false;
+  double ms = 0;
+};
+
 /// An evaluator with its tables built.
 struct Prepared {
   std::function<Result<void>()> frame;  ///< evaluates the points of a frame
@@ -70,7 +77,10 @@ struct Prepared {
   std::int64_t tableBytes = 0;          ///< read in a frame, beside the points
   std::int64_t vertices = 0;            ///< that a frame makes
   std::vector<float> expected = {};     ///< what is to come out, where that is another surface than the problem's
-  bool spins = false;                   ///< its threads keep the processors busy for a while after a frame
+  /// Evaluates another frame and says what its levels took; absent where nobody can tell. Beside the timed frames,
+  /// which timestamps would slow down. Errors: unsupported, when the device has no clock.
+  std::function<Result<std::vector<LevelMs>>()> levels = {};
+  bool spins = false;  ///< its threads keep the processors busy for a while after a frame
 };
 
 /// How an evaluator's points agree with the serial one's.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "bench/kit/evaluators.h"
 #include "far/base/stopwatch.h"
@@ -16,6 +17,23 @@ struct OnDevice {
   Osd::VulkanContext context;
   Osd::VulkanEvaluator evaluator;
   Osd::VulkanSession session;
+  std::optional<Osd::VulkanSession> timed;  ///< made when times are asked for
+
+  /// A frame with timestamps between its levels.
+  Result<std::vector<LevelMs>> timedFrame(std::span<const float> control) {
+    if (!timed) {
+      auto made = Osd::VulkanSession::create(evaluator, session.table(), {.timing = true});
+      if (!made) return tl::unexpected(made.error());
+      timed.emplace(std::move(*made));
+    }
+    std::copy(control.begin(), control.end(), timed->control().begin());
+    if (const auto ran = timed->run(); !ran) return tl::unexpected(ran.error());
+    const auto times = timed->binding().levelTimes();
+    if (!times) return tl::unexpected(times.error());
+    std::vector<LevelMs> levels;
+    for (const Osd::LevelTime& time : *times) levels.push_back({time.level, time.limits, time.milliseconds});
+    return levels;
+  }
 };
 
 using Upload = Result<Osd::VulkanTable> (*)(Osd::VulkanEvaluator&, const Problem&);
@@ -49,14 +67,17 @@ Result<Prepared> prepare(const Problem& problem, Upload upload) {
   if (!table) return tl::unexpected(table.error());
   Prepared prepared;
   prepared.tableBytes = static_cast<std::int64_t>(table->byteCount());
-  Result<Osd::VulkanSession> session = Osd::VulkanSession::create(*evaluator, std::move(*table));
+  Result<Osd::VulkanSession> session = Osd::VulkanSession::create(*evaluator, *table);
   if (!session) return tl::unexpected(session.error());
   const auto device =
-      std::make_shared<OnDevice>(OnDevice{std::move(*context), std::move(*evaluator), std::move(*session)});
+      std::make_shared<OnDevice>(OnDevice{std::move(*context), std::move(*evaluator), std::move(*session), {}});
   prepared.frame = [device, control = problem.control]() -> Result<void> {
     std::copy(control.begin(), control.end(), device->session.control().begin());
     return device->session.run();
   };
+  // A flattened table has a single step, which is no level.
+  if (upload == uploadLevels)
+    prepared.levels = [device, control = problem.control] { return device->timedFrame(control); };
   prepared.refined = device->session.refined();
   prepared.normals = device->session.vertexNormals();
   prepared.buildMs = problem.tablesMs + stopwatch.milliseconds();

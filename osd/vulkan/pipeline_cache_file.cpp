@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstring>
 #include <fstream>
+#include <string>
 #include <system_error>
 
 namespace honeycomb::Osd {
@@ -113,14 +114,15 @@ Result<void> writePipelineCache(const std::filesystem::path& file, const Pipelin
       fmt::format("{}: the compiled pipelines can't be written there; choose another file, or none", file.string()));
 }
 
-std::string pipelineCacheName(std::string_view deviceName) {
+std::filesystem::path pipelineCacheIn(const std::filesystem::path& folder, std::string_view deviceName) {
+  if (folder.empty()) return {};
   std::string name = "pipelines-";
   for (const char c : deviceName) {
     const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
     if (plain) name += c;
     if (!plain && name.back() != '-') name += '-';
   }
-  return name + ".bin";
+  return folder / (name + ".bin");
 }
 
 }  // namespace honeycomb::Osd

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -38,7 +37,8 @@ std::optional<std::vector<std::byte>> readPipelineCache(const std::filesystem::p
 Result<void> writePipelineCache(const std::filesystem::path& file, const PipelineCacheKey& key,
                                 std::span<const std::byte> data);
 
-/// A file name for the pipelines of a device, from its name: several devices don't overwrite each other's.
-std::string pipelineCacheName(std::string_view deviceName);
+/// The file for a device's pipelines in a folder for such files, named after the device: several don't overwrite each
+/// other's. Empty when there is no folder.
+std::filesystem::path pipelineCacheIn(const std::filesystem::path& folder, std::string_view deviceName);
 
 }  // namespace honeycomb::Osd

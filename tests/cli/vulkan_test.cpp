@@ -134,5 +134,49 @@ TEST_F(VulkanBackendTest, TheFirstFrameThatOverflowsIsNamed) {
   EXPECT_EQ(errors[0], errors[1]);
 }
 
+TEST_F(VulkanBackendTest, PipelinesAreKeptInTheUsersCache) {
+  if (!hasDevice()) GTEST_SKIP() << "no Vulkan device";
+  const std::string in = file("cube.obj", cubeObj());
+  const RunOptions options{{{"XDG_CACHE_HOME", path("cache")}}, -1};
+  for (int start = 0; start < 2; ++start) {
+    const Outcome outcome = run({"refine", in, path("out.obj"), "--backend", "vulkan"}, options);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    std::vector<std::string> kept;
+    for (const auto& entry : std::filesystem::directory_iterator(path("cache/honeycomb")))
+      kept.push_back(entry.path().filename().string());
+    EXPECT_THAT(kept, testing::ElementsAre(testing::StartsWith("pipelines-")));
+  }
+}
+
+TEST_F(VulkanBackendTest, ACacheThatCantBeWrittenGoesUnmentioned) {
+  if (!hasDevice()) GTEST_SKIP() << "no Vulkan device";
+  const std::string in = file("cube.obj", cubeObj());
+  std::filesystem::create_directories(path("cache"));
+  file("cache/honeycomb", "no folder");
+  const Outcome outcome =
+      run({"refine", in, path("out.obj"), "--backend", "vulkan"}, RunOptions{{{"XDG_CACHE_HOME", path("cache")}}, -1});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(VulkanBackendTest, BenchSaysWhatEachLevelTakes) {
+  if (!hasDevice()) GTEST_SKIP() << "no Vulkan device";
+  const Outcome outcome = run({"bench", "--faces", "64", "--levels", "3", "--evaluators", "serial,vulkan,vulkan-csr",
+                               "--layouts", "xyz", "--samples", "3", "--sample-ms", "1", "--json", path("bench.json")});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("of which level 1 [0-9.]+ ms, level 2 [0-9.]+ ms, level 3"));
+  for (const nlohmann::json& one : nlohmann::json::parse(read("bench.json")).at("runs")) {
+    ASSERT_EQ(one.contains("levels"), one.at("evaluator") == "vulkan");
+    if (!one.contains("levels")) continue;
+    ASSERT_EQ(one.at("levels").size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(one.at("levels")[i].at("level"), i + 1);
+      EXPECT_EQ(one.at("levels")[i].at("what"), "points");
+      EXPECT_GT(one.at("levels")[i].at("ms").at("median"), 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace honeycomb::Test

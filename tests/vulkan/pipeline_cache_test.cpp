@@ -162,8 +162,10 @@ TEST_F(PipelineCacheTest, TheDriversOwnHeaderIsCheckedAsWell) {
 }
 
 TEST(PipelineCacheName, KeepsDevicesApartAndIsAFileName) {
-  EXPECT_EQ(Osd::pipelineCacheName("llvmpipe (LLVM 15.0.6, 256 bits)"), "pipelines-llvmpipe-LLVM-15-0-6-256-bits-.bin");
-  EXPECT_EQ(Osd::pipelineCacheName("../../etc"), "pipelines-etc.bin");
+  const auto name = [](std::string_view device) { return Osd::pipelineCacheIn("cache", device); };
+  EXPECT_EQ(name("llvmpipe (LLVM 15.0.6, 256 bits)"), "cache/pipelines-llvmpipe-LLVM-15-0-6-256-bits-.bin");
+  EXPECT_EQ(name("../../etc"), "cache/pipelines-etc.bin");
+  EXPECT_EQ(Osd::pipelineCacheIn({}, "llvmpipe"), "");
 }
 
 }  // namespace
