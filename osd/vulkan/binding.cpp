@@ -193,7 +193,7 @@ void VulkanBinding::record(VkCommandBuffer commands) const {
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     if (p > 0 && !core_->options.leaveOutBarriers) barrier(commands);
     for (const Command& one : phases_[p]) {
-      vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, one.pipeline);
+      vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_->current(one.pipeline));
       vk.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_->layout(), 0, 1, &one.set, 0,
                                  nullptr);
       vk.vkCmdPushConstants(commands, pipelines_->layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(one.push),

@@ -26,6 +26,8 @@ struct VulkanEvaluatorOptions {
   /// A file that keeps compiled pipelines from one run to the next, see PipelineCache; empty: none. Written behind an
   /// upload that compiled something; a failure shows in VulkanEvaluator::savePipelines alone.
   std::filesystem::path pipelineCache{};
+  /// A folder of kernels that replace the built-in ones whenever they change, see KernelFiles; empty: none.
+  std::filesystem::path kernelFolder{};
   /// Treat no memory as shared between host and device, as on a discrete GPU: everything goes through staging.
   bool stageEverything = false;
   /// Leave out the barriers between levels: results are wrong, and synchronization validation must say so.

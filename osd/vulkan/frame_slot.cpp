@@ -19,8 +19,19 @@ Result<FrameSlot> FrameSlot::create(const VulkanEvaluator& evaluator, const Vulk
   auto binding = evaluator.bind(slot.table_, slot.targets(), wanted);
   if (!binding) return tl::unexpected(binding.error());
   slot.binding_ = std::make_unique<VulkanBinding>(std::move(*binding));
+  const auto kernels = slot.binding_->refreshKernels();
+  if (!kernels) return tl::unexpected(kernels.error());
+  slot.kernels_ = *kernels;
   if (const auto recorded = slot.record(); !recorded) return tl::unexpected(recorded.error());
   return slot;
+}
+
+Result<void> FrameSlot::refresh() {
+  const auto kernels = binding_->refreshKernels();
+  if (!kernels) return tl::unexpected(kernels.error());
+  if (*kernels == kernels_) return {};
+  kernels_ = *kernels;
+  return record();
 }
 
 VulkanTargets FrameSlot::targets() const {

@@ -33,6 +33,10 @@ class FrameSlot {
   /// The buffer on the device, usable as storage and as vertex buffer.
   VulkanRange range(PointBuffer points) const { return buffer(points).range(); }
 
+  /// Records the commands anew when kernels changed (VulkanEvaluatorOptions::kernelFolder); they must not be running.
+  /// Errors: invalidFile.
+  Result<void> refresh();
+
   CommandRunner& commands() { return commands_; }
   const VulkanTable& table() const { return table_; }
   const VulkanBinding& binding() const { return *binding_; }
@@ -51,6 +55,7 @@ class FrameSlot {
   FrameSlotOptions options_;
   std::array<SharedBuffer, kCallerBuffers> buffers_;
   std::unique_ptr<VulkanBinding> binding_;
+  std::uint64_t kernels_ = 0;  ///< the kernels recorded, by VulkanBinding::refreshKernels
   CommandRunner commands_;
 };
 

@@ -61,6 +61,7 @@ Result<std::span<float>> VulkanFrames::begin() {
   if (next > slots_.size()) {
     if (const auto done = timeline_.wait(next - slots_.size()); !done) return tl::unexpected(done.error());
   }
+  if (const auto fresh = nextSlot().refresh(); !fresh) return tl::unexpected(fresh.error());
   begun_ = true;
   return nextSlot().numbers(PointBuffer::control);
 }

@@ -44,6 +44,10 @@ Result<std::unique_ptr<VulkanPipelines>> VulkanPipelines::create(std::shared_ptr
   auto cache = PipelineCache::open(pipelines->core_, pipelines->core_->options.pipelineCache);
   if (!cache) return tl::unexpected(cache.error());
   pipelines->cache_ = std::move(*cache);
+  auto files = KernelFiles::watch(pipelines->core_->options.kernelFolder);
+  if (!files) return tl::unexpected(files.error());
+  pipelines->files_ = std::move(*files);
+  if (const auto fresh = pipelines->refresh(); !fresh) return tl::unexpected(fresh.error());
   return pipelines;
 }
 
@@ -84,17 +88,51 @@ Result<void> VulkanPipelines::makeLayout() {
 
 Result<void> VulkanPipelines::makeModules() {
   for (std::uint32_t k = 0; k < kKernelCount; ++k) {
-    const auto code = kernelCode(static_cast<Kernel>(k));
-    VkShaderModuleCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    info.codeSize = code.size_bytes();
-    info.pCode = code.data();
-    auto shader = core_->make(core_->vk().vkCreateShaderModule, core_->vk().vkDestroyShaderModule, info,
-                              "create a shader module");
-    if (!shader) return tl::unexpected(shader.error());
-    modules_[k] = std::move(*shader);
+    const auto kernel = static_cast<Kernel>(k);
+    if (const auto made = makeModule(kernel, kernelCode(kernel)); !made) return made;
   }
   return {};
+}
+
+Result<void> VulkanPipelines::makeModule(Kernel kernel, std::span<const std::uint32_t> code) {
+  VkShaderModuleCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+  info.codeSize = code.size_bytes();
+  info.pCode = code.data();
+  auto shader =
+      core_->make(core_->vk().vkCreateShaderModule, core_->vk().vkDestroyShaderModule, info, "create a shader module");
+  if (!shader) return tl::unexpected(shader.error());
+  modules_[static_cast<std::size_t>(kernel)] = std::move(*shader);
+  return {};
+}
+
+Result<std::uint64_t> VulkanPipelines::refresh() {
+  const std::lock_guard lock(mutex_);
+  const auto changed = files_.changed();
+  if (!changed) return tl::unexpected(changed.error());
+  for (const ChangedKernel& one : *changed) {
+    if (const auto made = makeModule(one.kernel, one.code); !made) return tl::unexpected(made.error());
+    if (const auto made = remake(one.kernel); !made) return tl::unexpected(made.error());
+    ++generation_;
+  }
+  return generation_;
+}
+
+Result<void> VulkanPipelines::remake(Kernel kernel) {
+  for (const auto& [key, first] : pipelines_) {
+    if (key.first != kernel) continue;
+    auto made = make(kernel, key.second);
+    if (!made) return tl::unexpected(made.error());
+    DeviceHandle<VkPipeline>& place = replaced_[first.get()];
+    outdated_.push_back(std::exchange(place, std::move(*made)));
+  }
+  return {};
+}
+
+VkPipeline VulkanPipelines::current(VkPipeline first) {
+  const std::lock_guard lock(mutex_);
+  const auto found = replaced_.find(first);
+  return found == replaced_.end() ? first : found->second.get();
 }
 
 Result<VkPipeline> VulkanPipelines::get(Kernel kernel, const Specialization& specialization) {

@@ -6,10 +6,12 @@
 #include <mutex>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "far/base/result.h"
 #include "osd/vulkan/core.h"
 #include "osd/vulkan/handles.h"
+#include "osd/vulkan/kernel_files.h"
 #include "osd/vulkan/kernels.h"
 #include "osd/vulkan/pipeline_cache.h"
 
@@ -28,6 +30,12 @@ class VulkanPipelines {
   VkPipelineLayout layout() const { return layout_.get(); }
   Result<VkPipeline> get(Kernel kernel, const Specialization& specialization);
 
+  /// Compiles the kernels of VulkanEvaluatorOptions::kernelFolder that changed; every change gives another number. What
+  /// was recorded with their pipelines stays valid, and is to be recorded again. Errors: invalidFile, unsupported.
+  Result<std::uint64_t> refresh();
+  /// The pipeline that does now what `first`, from get(), did when it was made.
+  VkPipeline current(VkPipeline first);
+
   const PipelineCache& cache() const { return cache_; }
   /// Writes the cache's file if a pipeline was compiled since the last time. Errors: unwritable, outOfMemory.
   Result<void> save();
@@ -37,6 +45,8 @@ class VulkanPipelines {
   Result<void> makeSetLayout();
   Result<void> makeLayout();
   Result<void> makeModules();
+  Result<void> makeModule(Kernel kernel, std::span<const std::uint32_t> code);
+  Result<void> remake(Kernel kernel);
   Result<DeviceHandle<VkPipeline>> make(Kernel kernel, const Specialization& specialization) const;
 
   std::shared_ptr<const VulkanCore> core_;
@@ -46,7 +56,11 @@ class VulkanPipelines {
   PipelineCache cache_;
   std::mutex mutex_;
   std::map<std::pair<Kernel, Specialization>, DeviceHandle<VkPipeline>> pipelines_;
-  std::size_t saved_ = 0;  ///< pipelines there were when the cache was written
+  KernelFiles files_;
+  std::uint64_t generation_ = 0;
+  std::map<VkPipeline, DeviceHandle<VkPipeline>> replaced_;  ///< by pipelines of changed kernels
+  std::vector<DeviceHandle<VkPipeline>> outdated_;           ///< such as have been replaced in turn
+  std::size_t saved_ = 0;                                    ///< pipelines there were when the cache was written
 };
 
 }  // namespace honeycomb::Osd

@@ -27,6 +27,7 @@ Result<VulkanSession> VulkanSession::create(const VulkanEvaluator& evaluator, co
 }
 
 Result<void> VulkanSession::run() {
+  if (auto fresh = slot_.refresh(); !fresh) return fresh;
   if (auto sent = slot_.commands().submit(); !sent) return sent;
   return slot_.commands().wait();
 }

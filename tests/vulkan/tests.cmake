@@ -4,7 +4,7 @@ set(HONEYCOMB_VULKAN_TESTS
   context_test batches_test limits_test paging_test evaluator_test session_test staging_test synchronization_test
   precise_test memory_pool_test faults_test
   callers_device_test host_memory_test device_validation_test
-  frames_test timing_test pipeline_cache_test)
+  frames_test timing_test pipeline_cache_test kernel_files_test)
 
 add_library(honeycomb_vulkan_test_support STATIC
   ${CMAKE_CURRENT_LIST_DIR}/engine.cpp
@@ -20,6 +20,10 @@ foreach(name IN LISTS HONEYCOMB_VULKAN_TESTS)
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/${name}.cpp ${CMAKE_CURRENT_LIST_DIR}/lsan_suppressions.cpp
     LIBRARIES honeycomb_vulkan_test_support honeycomb::osd_vulkan)
 endforeach()
+
+if(HONEYCOMB_KERNEL_RELOAD)
+  target_compile_definitions(vulkan_kernel_files_test PRIVATE HONEYCOMB_KERNEL_RELOAD)
+endif()
 
 # The evaluator on what far makes; with the meshes of far's own tests.
 honeycomb_test(vulkan_refinement_test
