@@ -9,6 +9,7 @@
 #include "far/base/parallel.h"
 #include "far/base/pool.h"
 #include "far/tables/tile_assembler.h"
+#include "far/tables/tile_join.h"
 
 namespace honeycomb::Far {
 
@@ -41,141 +42,6 @@ std::int32_t chooseRoot(const Refinement& refinement, std::int32_t last, std::in
   while (root < last - 1 && pointsPerTile(refinement, root, end, scratch) < kFewestPoints) ++root;
   return root;
 }
-
-/// Appends arrays of parts behind one another, the places in them moved on.
-class Join {
- public:
-  Join(std::vector<TileParts>& parts, TileTable& table) : parts_(parts), table_(table), bases_(parts.size()) {}
-
-  void run() {
-    Bases next;
-    for (std::size_t p = 0; p < parts_.size(); ++p) {
-      bases_[p] = next;
-      const TileParts& part = parts_[p];
-      next.tiles += part.tiles.size();
-      next.steps += part.steps.size();
-      next.stages += part.stages.size();
-      next.imports += part.imports.size();
-      next.indices += part.indices.size();
-      next.rows += part.rows.size();
-      next.outputs += part.outputs.size();
-      next.written += part.written.size();
-      next.ranges += part.normals.tiles.size();
-      next.normalImports += part.normals.imports.size();
-      next.frames += part.normals.frames.size();
-      next.corners += part.normals.indices.size();
-      next.firstFaces += part.normals.firstFace.size();
-      next.faces += part.normals.faces.size();
-      next.limitRanges += part.limits.tiles.size();
-      next.vertexFrames += part.limits.frames.size();
-      next.vertexIndices += part.limits.indices.size();
-    }
-    table_.tiles.resize(next.tiles);
-    table_.steps.resize(next.steps);
-    table_.stages.resize(next.stages);
-    table_.imports.resize(next.imports);
-    table_.indices.resize(next.indices);
-    table_.rows.resize(next.rows);
-    table_.outputs.resize(next.outputs);
-    table_.written.resize(next.written);
-    table_.normals.tiles.resize(next.ranges);
-    table_.normals.imports.resize(next.normalImports);
-    table_.normals.frames.resize(next.frames);
-    table_.normals.indices.resize(next.corners);
-    table_.normals.firstFace.resize(next.firstFaces);
-    table_.normals.faces.resize(next.faces);
-    table_.limits.tiles.resize(next.limitRanges);
-    table_.limits.frames.resize(next.vertexFrames);
-    table_.limits.indices.resize(next.vertexIndices);
-    Parallel::forEach(
-        0, static_cast<std::int64_t>(parts_.size()), [&](std::int64_t p) { move(at(p)); }, 1);
-  }
-
- private:
-  struct Bases {
-    std::size_t tiles = 0, steps = 0, stages = 0, imports = 0, indices = 0, rows = 0, outputs = 0, written = 0;
-    std::size_t ranges = 0, normalImports = 0, frames = 0, corners = 0, firstFaces = 0, faces = 0;  // of the normals
-    std::size_t limitRanges = 0, vertexFrames = 0, vertexIndices = 0;
-  };
-
-  template <class T, class Change>
-  static void copy(std::vector<T>& from, std::vector<T>& to, std::size_t base, const Change& change) {
-    std::ranges::transform(from, to.begin() + static_cast<std::ptrdiff_t>(base), change);
-    std::vector<T>().swap(from);
-  }
-  template <class T>
-  static void copy(std::vector<T>& from, std::vector<T>& to, std::size_t base) {
-    copy(from, to, base, [](const T& item) { return item; });
-  }
-
-  void move(std::size_t p) {
-    TileParts& part = parts_[p];
-    const Bases& base = bases_[p];
-    const auto plus = [](std::int32_t i, std::size_t by) { return i + static_cast<std::int32_t>(by); };
-    copy(part.tiles, table_.tiles, base.tiles, [&](Tile tile) {
-      tile.firstImport = plus(tile.firstImport, base.imports);
-      tile.firstStep = plus(tile.firstStep, base.steps);
-      return tile;
-    });
-    copy(part.steps, table_.steps, base.steps, [&](TileStep step) {
-      step.firstIndex = plus(step.firstIndex, base.indices);
-      step.firstStage = plus(step.firstStage, base.stages);
-      step.firstRow = plus(step.firstRow, base.rows);
-      return step;
-    });
-    const std::size_t outputs = table_.order == TileOrder::tiles ? base.written : base.outputs;
-    copy(part.stages, table_.stages, base.stages, [&](TileStage stage) {
-      if (stage.firstOutput >= 0) stage.firstOutput = plus(stage.firstOutput, outputs);
-      return stage;
-    });
-    copy(part.imports, table_.imports, base.imports);
-    copy(part.indices, table_.indices, base.indices);
-    copy(part.rows, table_.rows, base.rows);
-    copy(part.outputs, table_.outputs, base.outputs);
-    copy(part.written, table_.written, base.written);
-    moveNormals(part.normals, base);
-    moveLimits(part.limits, base);
-  }
-
-  void moveNormals(TileNormals& part, const Bases& base) {
-    TileNormals& to = table_.normals;
-    const auto plus = [](std::int32_t i, std::size_t by) { return i + static_cast<std::int32_t>(by); };
-    copy(part.tiles, to.tiles, base.ranges, [&](TileNormalRange range) {
-      range.firstImport = plus(range.firstImport, base.normalImports);
-      range.firstFrames = plus(range.firstFrames, base.frames);
-      return range;
-    });
-    copy(part.imports, to.imports, base.normalImports);
-    copy(part.frames, to.frames, base.frames, [&](TileFrames frames) {
-      frames.firstIndex = plus(frames.firstIndex, base.corners);
-      return frames;
-    });
-    copy(part.indices, to.indices, base.corners);
-    copy(part.firstFace, to.firstFace, base.firstFaces,
-         [&](std::int32_t first) { return first < 0 ? first : plus(first, base.faces); });
-    copy(part.faces, to.faces, base.faces);
-  }
-
-  void moveLimits(TileLimits& part, const Bases& base) {
-    TileLimits& to = table_.limits;
-    const auto plus = [](std::int32_t i, std::size_t by) { return i + static_cast<std::int32_t>(by); };
-    const std::size_t outputs = table_.order == TileOrder::tiles ? base.written : base.outputs;
-    copy(part.tiles, to.tiles, base.limitRanges, [&](TileLimits::Range range) {
-      range.firstFrames = plus(range.firstFrames, base.vertexFrames);
-      return range;
-    });
-    copy(part.frames, to.frames, base.vertexFrames, [&](TileVertexFrames frames) {
-      frames.firstIndex = plus(frames.firstIndex, base.vertexIndices);
-      frames.firstOutput = plus(frames.firstOutput, outputs);
-      return frames;
-    });
-    copy(part.indices, to.indices, base.vertexIndices);
-  }
-
-  std::vector<TileParts>& parts_;
-  TileTable& table_;
-  std::vector<Bases> bases_;
-};
 
 void copyWeights(const TileUnits& units, TileTable& table) {
   for (std::int32_t k = table.rootLevel + 1; k <= units.last(); ++k) {
@@ -272,7 +138,7 @@ Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions
     table.rootPoints = plan.units.rootPoints();
     for (std::int32_t k = 0; k <= last; ++k) table.pointCount.push_back(pointsOf(refinement, k));
     for (const TileParts& part : parts) table.largestTile = std::max(table.largestTile, part.largestTile);
-    Join(parts, table).run();
+    if (auto joined = joinTiles(parts, table); !joined) return tl::unexpected(joined.error());
     table.shared = std::move(plan.sharing).sets();
     copyWeights(plan.units, table);
     if (plan.normals) std::move(*plan.normals).moveTo(table.normals);

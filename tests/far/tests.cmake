@@ -30,6 +30,7 @@ set(honeycomb_far_tests
   stencil_table_test.cpp
   stencil_test.cpp
   tables_test.cpp
+  tile_join_test.cpp
   topology_test.cpp)
 list(TRANSFORM honeycomb_far_tests PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
 
