@@ -173,7 +173,7 @@ def build_tables(builds):
     parts = []
     for (scheme, mesh, faces, level), group in grouped(builds, "scheme", "mesh", "control_faces", "level").items():
         foreign = {entry["what"]: entry["ns_per_vertex"]["median"] for entry in group if entry["library"] == "opensubdiv"}
-        peers = {"control": ["control"], "topology": ["topology"], "tables": ["topology", "stencils"], "flattened": ["stencils"]}
+        peers = {"control": ["control"], "topology": ["topology"], "full-topology": ["full-topology"], "tables": ["topology", "stencils"], "flattened": ["stencils"]}
         rows = []
         for entry in group:
             time = entry["ns_per_vertex"]

@@ -25,6 +25,20 @@ Result<std::vector<Far::Topology>> refineTopology(const Building& building) {
   return levels;
 }
 
+/// The same, the links of each level found.
+Result<std::vector<Far::Topology>> refineFullTopology(const Building& building) {
+  Result<std::vector<Far::Topology>> levels = refineTopology(building);
+  if (!levels) return levels;
+  for (const Far::Topology& level : *levels) (void)level.twin();
+  return levels;
+}
+
+std::int64_t byteCount(const std::vector<Far::Topology>& levels) {
+  std::int64_t bytes = 0;
+  for (const Far::Topology& level : levels) bytes += level.byteCount();
+  return bytes;
+}
+
 template <class Value>
 Result<void> outcome(const Result<Value>& result) {
   if (!result) return tl::unexpected(result.error());
@@ -44,13 +58,17 @@ Result<std::vector<BuildStep>> buildSteps(const Building& building) {
   if (!refined) return tl::unexpected(refined.error());
   const auto refinement = std::make_shared<const Far::Refinement>(std::move(*refined));
   const std::int64_t vertices = refinement->last().topology.vertexCount();
-  std::int64_t topologyBytes = 0;
-  for (std::int32_t k = 1; k <= refinement->levelCount(); ++k)
-    topologyBytes += refinement->level(k).topology.byteCount();
+  const Result<std::vector<Far::Topology>> lean = refineTopology(building);
+  const Result<std::vector<Far::Topology>> full = refineFullTopology(building);
+  if (!lean) return tl::unexpected(lean.error());
+  if (!full) return tl::unexpected(full.error());
   std::vector<BuildStep> steps;
   steps.push_back(step("control", vertices, building.control.byteCount(),
                        [building] { return outcome(Far::Topology::create(building.polygons)); }));
-  steps.push_back(step("topology", vertices, topologyBytes, [building] { return outcome(refineTopology(building)); }));
+  steps.push_back(
+      step("topology", vertices, byteCount(*lean), [building] { return outcome(refineTopology(building)); }));
+  steps.push_back(
+      step("full-topology", vertices, byteCount(*full), [building] { return outcome(refineFullTopology(building)); }));
   steps.push_back(step("tables", vertices, refinement->byteCount(),
                        [building] { return outcome(Far::refine(building.control, building.steps)); }));
   if (const auto tiles = Far::buildTileTable(*refinement)) {

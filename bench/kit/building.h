@@ -32,11 +32,13 @@ struct BuildTime {
 
 /// Times, in turns, on as many threads as loops may use:
 ///     honeycomb   control    level 0 from polygons, validated
-///                 topology   all levels' connectivity from level 0
-///                 tables     the same and the level tables
+///                 topology   all levels' connectivity from level 0, links left for when they are asked for
+///                 full-topology   the same with the links of every level
+///                 tables     topology and the level tables
 ///                 flattened  the StencilTable of the last level from these
 ///     opensubdiv  control    a TopologyRefiner from polygons
 ///                 topology   RefineUniform, without the last level's full topology, which stencils don't need
+///                 full-topology   RefineUniform, with it
 ///                 stencils   StencilTableFactory::Create, from the control vertices to the last level
 /// OpenSubdiv's mesh is a torus of quads whose Catmull-Clark subdivision has about as many vertices (catmarkMesh); it
 /// has one thread for this. What doesn't fit or isn't built in is left out. Errors: those of refine().

@@ -33,10 +33,16 @@ void addOpenSubdivSteps(std::int64_t vertices, std::int32_t level, std::vector<B
     steps.push_back(std::move(step));
   };
   add("control", 0, [source] { (void)catmarkRefiner(source->mesh.polygons); });
-  add("topology", 0, [source, level] {
-    source->refiner->Unrefine();
-    source->refiner->RefineUniform(Uniform(level));
-  });
+  const auto addTopology = [&](std::string_view what, bool full) {
+    Uniform options(level);
+    options.fullTopologyInLastLevel = full;
+    add(what, 0, [source, options] {
+      source->refiner->Unrefine();
+      source->refiner->RefineUniform(options);
+    });
+  };
+  addTopology("full-topology", true);
+  addTopology("topology", false);  // the last: stencils are made of what it leaves
   add("stencils", bytes, [source, level] { (void)catmarkStencils(*source->refiner, level); });
 }
 
