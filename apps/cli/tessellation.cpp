@@ -20,7 +20,7 @@ void append(Far::LevelTable& table, const Far::LevelTable& more) {
   for (const std::int32_t output : more.loose.outputs) table.loose.outputs.push_back(table.targetCount + output);
   for (std::size_t r = 1; r < more.loose.offsets.size(); ++r)
     table.loose.offsets.push_back(entries + more.loose.offsets[r]);
-  table.indices.append(more.indices.begin(), more.indices.end());
+  table.indices.edit().append(more.indices.begin(), more.indices.end());
   table.weights.insert(table.weights.end(), more.weights.begin(), more.weights.end());
   table.weightsSingle.insert(table.weightsSingle.end(), more.weightsSingle.begin(), more.weightsSingle.end());
   table.targetCount += more.targetCount;

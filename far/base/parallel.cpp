@@ -54,6 +54,10 @@ void forRange(std::int64_t begin, std::int64_t end, std::int64_t grain,
       [&body](const tbb::blocked_range<std::int64_t>& range) { body(range.begin(), range.end()); });
 }
 
+void isolated(const std::function<void()>& body) {
+  tbb::this_task_arena::isolate(body);
+}
+
 #else
 
 namespace {
@@ -71,6 +75,10 @@ struct ThreadLimit::State {
 ThreadLimit::ThreadLimit(int threads) : state_(new State{allowedThreads().exchange(threads)}) {}
 ThreadLimit::~ThreadLimit() {
   allowedThreads() = state_->previous;
+}
+
+void isolated(const std::function<void()>& body) {
+  body();
 }
 
 #if defined(HONEYCOMB_THREADS_STD)

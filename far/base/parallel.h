@@ -44,6 +44,10 @@ std::int64_t firstWhere(std::int64_t begin, std::int64_t end, const Test& test) 
   return lowest.load();
 }
 
+/// Runs body(); while its loops wait for other threads, this one takes up no work from outside of it. For work under a
+/// lock that other work takes too.
+void isolated(const std::function<void()>& body);
+
 /// The number of threads a loop may use now.
 int threadCount();
 

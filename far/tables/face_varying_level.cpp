@@ -170,7 +170,7 @@ class LevelBuilder {
   /// its own corners (two halves of a face that grew together), so that its points need rows.
   std::int32_t addCorners(std::int32_t oldIndex, std::int32_t firstOutput, std::int32_t faces, std::int32_t corners,
                           std::int32_t outputs) {
-    Array<std::int32_t>& indices = level_.table.indices;
+    Array<std::int32_t>& indices = level_.table.indices.edit();
     const std::size_t firstIndex = indices.size();
     indices.resize(firstIndex + at(faces) * at(corners));
     Parallel::forEach(
@@ -360,7 +360,7 @@ class LevelBuilder {
     for (const Row& row : extras.rows) {
       table.loose.outputs.push_back(level_.valueCount++);
       for (const Weight& entry : row) {
-        table.indices.push_back(entry.point);
+        table.indices.edit().push_back(entry.point);
         table.weights.push_back(entry.weight);
       }
       table.loose.offsets.push_back(static_cast<std::int32_t>(table.indices.size()) - table.loose.firstIndex);

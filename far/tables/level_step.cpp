@@ -68,8 +68,9 @@ class CreasedStep {
     LevelTable table = buildLevelTable(SourceLevel(shape->topology, parent_.central), split, scheme_);
     const std::int32_t reshaped = shape->topology.vertexCount();
     const bool byFace = parent_.central == CentralPoints::byFace;
-    Parallel::forEach(0, static_cast<std::int64_t>(table.indices.size()), [&](std::int64_t i) {
-      std::int32_t& point = table.indices[at(i)];
+    Array<std::int32_t>& indices = table.indices.edit();
+    Parallel::forEach(0, static_cast<std::int64_t>(indices.size()), [&](std::int64_t i) {
+      std::int32_t& point = indices[at(i)];
       if (point < reshaped) {
         point = shape->vertexOf[at(point)];
       } else {

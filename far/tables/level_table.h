@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "far/base/array.h"
+#include "far/base/shared_array.h"
 
 namespace honeycomb::Far {
 
@@ -121,9 +121,9 @@ struct LevelTable {
   std::vector<DenseRows> dense;
   SummedRows summed;
   LooseRows loose;
-  Array<std::int32_t> indices;       ///< source points, of all batches
-  std::vector<double> weights;       ///< of all batches
-  std::vector<float> weightsSingle;  ///< the same, rounded
+  SharedArray<std::int32_t> indices;  ///< source points, of all batches; perhaps the corners of the level before
+  std::vector<double> weights;        ///< of all batches
+  std::vector<float> weightsSingle;   ///< the same, rounded
 
   /// The weights in the precision of the points.
   template <class Real>

@@ -36,7 +36,11 @@ class Builder {
   }
 
   LevelTable build() {
-    table_.indices.reserve(at(scheme_.entriesPerVertex) * at(split_.topology.vertexCount()));
+    if (readsAllCorners()) {
+      table_.indices = SharedArray<std::int32_t>(parent_.sharedVert());
+    } else {
+      table_.indices.edit().reserve(at(scheme_.entriesPerVertex) * at(split_.topology.vertexCount()));
+    }
     for (const FaceRun& run : split_.topology.runs()) {
       // The corner points are the first half-edges of the level: those of its whole face-faces.
       if (run.firstHalfEdge < split_.cornerPoints) addFaces(run);
@@ -78,12 +82,21 @@ class Builder {
     }
   }
 
+  /// Is every point a corner point of a whole face? The faces are in the parent's order then, so that what they read is
+  /// the parent's vert() as it stands.
+  bool readsAllCorners() const {
+    return split_.cornerPoints == parent_.halfEdgeCount() && split_.otherPoints.empty() && !scheme_.centralPoints &&
+           !source_.hasCentral();
+  }
+
   /// The source points of the corners of a run's faces; returns where they begin.
   std::int32_t addCorners(const FaceRun& run) {
+    if (readsAllCorners()) return run.firstHalfEdge;
     const std::int32_t firstIndex = indexCount();
-    table_.indices.resize(at(firstIndex) + at(run.faceCount) * at(run.sides));
+    Array<std::int32_t>& indices = table_.indices.edit();
+    indices.resize(at(firstIndex) + at(run.faceCount) * at(run.sides));
     Parallel::forRange(0, run.faceCount, 1024, [&](std::int64_t begin, std::int64_t end) {
-      auto index = table_.indices.begin() + firstIndex + begin * run.sides;
+      auto index = indices.begin() + firstIndex + begin * run.sides;
       for (std::int64_t g = begin; g < end; ++g) {
         const std::int32_t face = split_.topology.parents()[at(run.firstFace + g)];
         index = std::copy_n(parent_.vert().begin() + parent_.faceOffsets()[at(face)], run.sides, index);
@@ -257,7 +270,7 @@ class Builder {
   void addProjectedHalfFace(const MirroredPolygon& polygon, const CirculantRule& rule, std::int32_t output) {
     const Projections p(polygon.sides());
     const std::int32_t firstIndex = indexCount();
-    for (std::int32_t q = 0; q < polygon.count(); ++q) table_.indices.push_back(polygon.vertex(q));
+    for (std::int32_t q = 0; q < polygon.count(); ++q) table_.indices.edit().push_back(polygon.vertex(q));
     const std::int32_t firstWeight =
         addProjectionWeights(rule, polygon.fold(p.sum), polygon.fold(p.cosine), polygon.fold(p.sine),
                              polygon.cornerAt(polygon.firstEdge()), polygon.edgeCount(), polygon.sides());

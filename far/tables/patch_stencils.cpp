@@ -66,16 +66,17 @@ Result<LevelTable> looseTable(const PatchTable& patches, std::span<const PlacedR
   table.targetCount = static_cast<std::int32_t>(rows.size());
   table.loose.offsets = std::move(*offsets);
   table.loose.outputs.resize(rows.size());
-  table.indices.resize(at(table.loose.offsets.back()));
+  table.indices.edit().resize(at(table.loose.offsets.back()));
   table.weights.resize(table.indices.size());
   table.weightsSingle.resize(table.indices.size());
+  Array<std::int32_t>& indices = table.indices.edit();
   const auto write = [&](std::int64_t i) {
     const LocalRow& row = *rows[at(i)].row;
     const VertexPatch patch = patches.patch(rows[at(i)].patch);
     table.loose.outputs[at(i)] = static_cast<std::int32_t>(i);
     for (std::size_t j = 0; j < row.points.size(); ++j) {
       const std::size_t entry = at(table.loose.offsets[at(i)]) + j;
-      table.indices[entry] = patch.point(row.points[j]);
+      indices[entry] = patch.point(row.points[j]);
       table.weights[entry] = row.weights[j];
       table.weightsSingle[entry] = static_cast<float>(row.weights[j]);
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "far/base/bytes.h"
 #include "far/base/index.h"
 #include "far/schemes/creases.h"
 #include "far/tables/level_step.h"
@@ -44,18 +45,32 @@ BatchWeights batchWeights(const Topology& control) {
   return weights;
 }
 
-/// Bytes of the arrays of a level and its table, about: three numbers a half-edge, two a face, one a vertex, the
-/// indices and the weights; points of the boundary rule have rows of about six entries.
-std::int64_t levelBytes(const Census& census, std::int64_t weights, const Scheme* scheme) {
+/// Bytes of a level's links: two numbers a half-edge, one a vertex.
+std::int64_t linkBytes(const Census& census) {
+  return 8 * census.halfEdges + 4 * census.vertices;
+}
+
+/// Does a level wait with its links until they are asked for?
+bool hasLaterLinks(const Census& census, const Scheme* scheme) {
+  return scheme != nullptr && scheme->split.laterLinks && census.boundaryEdges == 0;
+}
+
+/// Bytes of a table, about: the indices, which are the corners of the level before where all points come from whole
+/// faces, and the weights; points of the boundary rule have rows of about six entries.
+std::int64_t tableBytes(const Census& census, std::int64_t weights, const Scheme& scheme) {
   constexpr std::int64_t kWeight = sizeof(double) + sizeof(float);
   constexpr std::int64_t kLooseRow = 2 * sizeof(std::int32_t) + 6 * (sizeof(std::int32_t) + kWeight);
-  const std::int64_t topology =
-      12 * census.halfEdges + 8 * census.faces + 4 * census.vertices + 5 * census.boundaryEdges;
+  const bool sharesCorners = census.boundaryEdges == 0 && scheme.entriesPerVertex == 1 && !scheme.centralPoints;
+  const std::int64_t indices = sharesCorners ? 0 : 4 * scheme.entriesPerVertex * census.vertices;
+  return indices + kLooseRow * std::min(census.boundaryEdges * 3, census.vertices) + kWeight * weights;
+}
+
+/// Bytes of the arrays of a level and its table, about: one number a half-edge, two a face, and the links.
+std::int64_t levelBytes(const Census& census, std::int64_t weights, const Scheme* scheme) {
+  const std::int64_t loops = 4 * census.halfEdges + 8 * census.faces + 5 * census.boundaryEdges;
   const std::int64_t tags = census.boundaryEdges > 0 ? census.vertices : 0;
-  if (scheme == nullptr) return topology + tags;
-  const std::int64_t table =
-      4 * scheme->entriesPerVertex * census.vertices + kLooseRow * std::min(census.boundaryEdges * 3, census.vertices);
-  return topology + tags + table + kWeight * weights;
+  const std::int64_t links = hasLaterLinks(census, scheme) ? 0 : linkBytes(census);
+  return loops + tags + links + (scheme == nullptr ? 0 : tableBytes(census, weights, *scheme));
 }
 
 /// What making a level takes besides it, a half-edge: the closed forms keep one number, splits along a boundary the
@@ -80,6 +95,7 @@ LevelCounts counts(const Census& census, std::int64_t weights, const Scheme* sch
   c.boundaryEdges = census.boundaryEdges;
   c.points = census.vertices + (scheme != nullptr && scheme->centralPoints ? census.faces : 0);
   c.bytes = levelBytes(census, weights, scheme);
+  c.links = hasLaterLinks(census, scheme) ? linkBytes(census) : 0;
   c.scratch = scratchBytes(census, scheme);
   c.exact = census.exact;
   return c;
@@ -174,7 +190,10 @@ BuildBytes buildBytes(std::span<const LevelCounts> levels, bool limits) {
     bytes.tables += level.bytes;
     bytes.scratch = std::max(bytes.scratch, level.scratch);
   }
-  if (limits && !levels.empty()) bytes.tables += kLimitRows * levels.back().halfEdges;
+  if (!limits || levels.empty()) return bytes;
+  bytes.tables += kLimitRows * levels.back().halfEdges;
+  // They ask for the links.
+  for (const LevelCounts& level : levels.last(std::min<std::size_t>(levels.size(), 2))) bytes.tables += level.links;
   return bytes;
 }
 
@@ -219,10 +238,16 @@ Refinement Refinement::followedBy(Level level) && {
   return Refinement(std::move(levels_), {});
 }
 
+std::int64_t Refinement::byteCount(std::int32_t k) const {
+  const LevelTable& table = level(k).table;
+  const bool shared = k > 0 && table.indices.sharesWith(level(k - 1).topology.sharedVert());
+  return level(k).topology.byteCount() + table.byteCount() - (shared ? bytes(table.indices) : 0);
+}
+
 std::int64_t Refinement::byteCount() const {
-  std::int64_t bytes = limits_.byteCount();
-  for (const Level& level : levels_) bytes += level.topology.byteCount() + level.table.byteCount();
-  return bytes;
+  std::int64_t total = limits_.byteCount();
+  for (std::int32_t k = 0; k <= levelCount(); ++k) total += byteCount(k);
+  return total;
 }
 
 }  // namespace honeycomb::Far

@@ -71,6 +71,9 @@ class Refinement {
   /// topology's parents are of that level.
   Refinement followedBy(Level level) &&;
 
+  /// Bytes of level k: the corners that its table shares with the level before are counted there.
+  std::int64_t byteCount(std::int32_t k) const;
+  /// Of all levels and the limits.
   std::int64_t byteCount() const;
 
  private:
@@ -93,7 +96,8 @@ struct LevelCounts {
   std::int64_t vertices = 0, edges = 0, faces = 0, halfEdges = 0, boundaryEdges = 0;
   std::int64_t points = 0;   ///< vertices, and central control vertices where the step to this level makes them
   std::int64_t scratch = 0;  ///< bytes that building this level takes for a while, about
-  std::int64_t bytes = 0;    ///< topology and table of this level
+  std::int64_t bytes = 0;    ///< topology and table of this level, without:
+  std::int64_t links = 0;    ///< bytes of links that come when they are asked for (Topology)
   bool exact = true;  ///< false: an upper bound (the erosion of `drop` and `eq16` depends on the boundary's shape)
 };
 /// Counts of levels 0..perLevel.size(), without building any.

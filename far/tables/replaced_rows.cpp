@@ -75,6 +75,7 @@ class Replacement {
   void cutSummed() {
     const SummedRows old = std::exchange(table_.summed, {});
     SummedRows& kept = table_.summed;
+    Array<std::int32_t>& indices = table_.indices.edit();
     kept.rows.firstIndex = old.rows.firstIndex;
     kept.rows.firstWeight = old.rows.firstWeight;
     kept.firstShare = old.firstShare;
@@ -82,7 +83,7 @@ class Replacement {
     for (std::int32_t r = 0; r < old.rowCount(); ++r) {
       if (goes_[at(old.rows.outputs[at(r)])] != 0) continue;
       for (std::int32_t b = old.rows.offsets[at(r)]; b < old.rows.offsets[at(r) + 1]; ++b, ++entries) {
-        table_.indices[at(old.rows.firstIndex + entries)] = table_.indices[at(old.rows.firstIndex + b)];
+        indices[at(old.rows.firstIndex + entries)] = indices[at(old.rows.firstIndex + b)];
         table_.weights[at(old.rows.firstWeight + entries)] = table_.weights[at(old.rows.firstWeight + b)];
       }
       for (std::int32_t t = old.shareOffsets[at(r)]; t < old.shareOffsets[at(r) + 1]; ++t) {
@@ -122,9 +123,9 @@ class Replacement {
     }
     loose.firstIndex = old.firstIndex;
     loose.firstWeight = old.firstWeight;
-    table_.indices.resize(at(old.firstIndex));
+    table_.indices.edit().resize(at(old.firstIndex));
     table_.weights.resize(at(old.firstWeight));
-    table_.indices.append(indices.begin(), indices.end());
+    table_.indices.edit().append(indices.begin(), indices.end());
     table_.weights.insert(table_.weights.end(), weights.begin(), weights.end());
     table_.loose = std::move(loose);
   }

@@ -93,10 +93,11 @@ bool RowWriter::addUniform(std::int32_t firstOutput, std::int64_t count, const M
   const auto width = static_cast<std::int32_t>(weights.size());
   if (count < kShortestDense || width > kWidestDense || !sameWeights(last, weights.data(), width)) return false;
   const std::size_t firstIndex = table_.indices.size();
-  table_.indices.resize(firstIndex + at(count) * at(width));
+  Array<std::int32_t>& indices = table_.indices.edit();
+  indices.resize(firstIndex + at(count) * at(width));
   std::atomic<bool> uniform{true};
   Parallel::forRange(0, count, kRowsPerPiece, [&](std::int64_t begin, std::int64_t end) {
-    std::int32_t* index = table_.indices.data() + firstIndex + at(begin) * at(width);
+    std::int32_t* index = indices.data() + firstIndex + at(begin) * at(width);
     bool same = true;
     visitRows(begin, end, makeRow, [&](std::int64_t, const Row& row) {
       same = same && sameWeights(row, weights.data(), width);
@@ -105,7 +106,7 @@ bool RowWriter::addUniform(std::int32_t firstOutput, std::int64_t count, const M
     });
     if (!same) uniform.store(false, std::memory_order_relaxed);
   });
-  table_.indices.resize(firstIndex + (uniform ? at(count) * at(width) : 0));
+  indices.resize(firstIndex + (uniform ? at(count) * at(width) : 0));
   if (uniform) addDense({0, count, weights.data(), width, true, firstIndex, 0}, firstOutput);
   return uniform;
 }
@@ -136,7 +137,7 @@ void RowWriter::place(std::vector<Run>& runs, std::int64_t count, std::int32_t f
       looseRows += rows;
     }
   }
-  table_.indices.resize(denseIndices);
+  table_.indices.edit().resize(denseIndices);
   table_.loose.outputs.resize(looseRows);
   table_.loose.offsets.resize(looseRows + 1);
   looseIndices_.resize(looseIndices);
@@ -145,6 +146,7 @@ void RowWriter::place(std::vector<Run>& runs, std::int64_t count, std::int32_t f
 
 void RowWriter::write(const std::vector<Run>& runs, std::int64_t count, std::int32_t firstOutput,
                       const MakeRow& makeRow) {
+  Array<std::int32_t>& indices = table_.indices.edit();
   Parallel::forRange(0, count, kRowsPerPiece, [&](std::int64_t begin, std::int64_t end) {
     auto run = std::prev(std::upper_bound(runs.begin(), runs.end(), begin,
                                           [](std::int64_t row, const Run& r) { return row < r.begin; }));
@@ -152,7 +154,7 @@ void RowWriter::write(const std::vector<Run>& runs, std::int64_t count, std::int
       while (i >= run->end) ++run;
       const std::int64_t r = i - run->begin;
       if (!run->dense) return writeLoose(*run, r, row, firstOutput + static_cast<std::int32_t>(i));
-      std::int32_t* index = table_.indices.data() + run->firstIndex + at(r) * at(run->width);
+      std::int32_t* index = indices.data() + run->firstIndex + at(r) * at(run->width);
       for (const Weight& entry : row) *index++ = entry.point;
     });
   });
@@ -171,7 +173,8 @@ void RowWriter::writeLoose(const Run& run, std::int64_t row, const Row& entries,
 void RowWriter::finish() {
   table_.loose.firstIndex = static_cast<std::int32_t>(table_.indices.size());
   table_.loose.firstWeight = static_cast<std::int32_t>(table_.weights.size());
-  table_.indices.append(looseIndices_.begin(), looseIndices_.end());
+  if (looseIndices_.empty()) return;
+  table_.indices.edit().append(looseIndices_.begin(), looseIndices_.end());
   table_.weights.insert(table_.weights.end(), looseWeights_.begin(), looseWeights_.end());
 }
 

@@ -43,7 +43,7 @@ void SummedRowWriter::append(std::int32_t output, const Row& row) {
 void SummedRowWriter::finish() {
   table_.summed.rows.firstIndex = static_cast<std::int32_t>(table_.indices.size());
   table_.summed.rows.firstWeight = static_cast<std::int32_t>(table_.weights.size());
-  table_.indices.append(indices_.begin(), indices_.end());
+  if (!indices_.empty()) table_.indices.edit().append(indices_.begin(), indices_.end());
   table_.weights.insert(table_.weights.end(), weights_.begin(), weights_.end());
   table_.summed.firstShare = static_cast<std::int32_t>(table_.weights.size());
   table_.weights.insert(table_.weights.end(), shares_.begin(), shares_.end());

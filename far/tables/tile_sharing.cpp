@@ -60,7 +60,7 @@ class TableOfUnits {
       face.firstOutput = outputs_;
       table_.projected.push_back(face);
     }
-    for (const std::int32_t point : level_.sources(batch, unit)) table_.indices.push_back(place_(point));
+    for (const std::int32_t point : level_.sources(batch, unit)) table_.indices.edit().push_back(place_(point));
     outputs_ += batch.outputs;
     last_ = &batch;
   }
@@ -75,7 +75,7 @@ class TableOfUnits {
   void addLoose(std::int32_t row) {
     const LevelTable& from = *level_.table;
     for (std::int32_t b = from.loose.offsets[at(row)]; b < from.loose.offsets[at(row) + 1]; ++b) {
-      table_.indices.push_back(place_(from.indices[at(from.loose.firstIndex + b)]));
+      table_.indices.edit().push_back(place_(from.indices[at(from.loose.firstIndex + b)]));
       table_.weights.push_back(from.weights[at(from.loose.firstWeight + b)]);
       table_.weightsSingle.push_back(from.weightsSingle[at(from.loose.firstWeight + b)]);
     }

@@ -74,6 +74,8 @@ struct Split {
   /// The census of the next level.
   std::function<Census(const Census& parent)> grow;
   CornerPlace cornerPlace = CornerPlace::corner;
+  /// On closed meshes the links are left for when they are asked for (TopologyArrays::linkRule).
+  bool laterLinks = false;
 };
 
 }  // namespace honeycomb::Far

@@ -138,15 +138,24 @@ std::int32_t Topology::enteringBoundary(std::int32_t v) const {
 }
 
 const FaceRun& Topology::run(std::int32_t f) const {
-  const auto after = std::upper_bound(a_.runs.begin(), a_.runs.end(), f,
+  const auto after = std::upper_bound(runs().begin(), runs().end(), f,
                                       [](std::int32_t face, const FaceRun& run) { return face < run.firstFace; });
   return *std::prev(after);
 }
 
 std::int64_t Topology::byteCount() const {
-  return bytes(a_.runs) + bytes(a_.vert) + bytes(a_.twin) + bytes(a_.face) + bytes(a_.faceOffsets) +
-         bytes(a_.outgoing) + bytes(a_.parents) + bytes(a_.boundary) + bytes(a_.boundaryTags) + bytes(a_.vertexTags) +
-         bytes(a_.creases) + bytes(a_.heldCorners);
+  const TopologyArrays& a = loops();
+  return state_->linkBytes() + bytes(a.runs) + bytes(a.vert) + bytes(a.faceOffsets) + bytes(a.parents) +
+         bytes(a.boundary) + bytes(a.boundaryTags) + bytes(a.vertexTags) + bytes(a.creases) + bytes(a.heldCorners);
+}
+
+TopologyArrays Topology::arrays() const& {
+  return state_->copy();
+}
+
+TopologyArrays Topology::arrays() && {
+  const std::shared_ptr<TopologyState> state = std::move(state_);
+  return state.use_count() == 1 ? state->take() : state->copy();
 }
 
 std::vector<std::int32_t> boundaryRanks(const Topology& topology) {

@@ -73,8 +73,8 @@ Result<Far::LevelTable> fromOpenSubdiv(const Foreign::StencilTableReal<Real>& st
   }
   // The factories may leave the arrays longer than the stencils are, by what they reserved.
   const std::size_t entries = at(rows.offsets.back());
-  table.indices.assign(stencils.GetControlIndices().begin(),
-                       stencils.GetControlIndices().begin() + rows.offsets.back());
+  table.indices.edit().assign(stencils.GetControlIndices().begin(),
+                              stencils.GetControlIndices().begin() + rows.offsets.back());
   table.weights.resize(entries);
   table.weightsSingle.resize(entries);
   Parallel::forEach(0, rows.offsets.back(), [&](std::int64_t b) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "far/topology/splits/zip_rules.h"
 #include "tests/support/random_mesh.h"
 #include "tests/support/refined.h"
 #include "tests/support/scheme_list.h"
@@ -23,7 +24,8 @@ struct Forms {
   Form slots;
   bool threeEdges = false;  // inside vertices need three edges
 };
-const Forms kForms[] = {{"chamfer", Far::chamferClosed, Far::chamferBySlots},
+const Forms kForms[] = {{"zip", Far::zipClosed, Far::zipDrop},
+                        {"chamfer", Far::chamferClosed, Far::chamferBySlots},
                         {"expand", Far::expandClosed, Far::expandBySlots, true},
                         {"ambo", Far::amboClosed, Far::amboBySlots, true},
                         {"truncate", Far::truncateClosed, Far::truncateBySlots, true},

@@ -52,6 +52,17 @@ TEST(Determinism, OneAndTwoThreadsBuildTheSameArrays) {
   }
 }
 
+TEST(Determinism, LinksAskedForFromParallelLoopsAreTheSame) {
+  const Far::Topology control = toTopology(torus(60, 50));
+  const Far::Topology asked = Far::refine(control, schemeCase(NamedTension::paper).scheme, 2)->last().topology;
+  const Far::Topology later = Far::refine(control, schemeCase(NamedTension::paper).scheme, 2)->last().topology;
+  std::vector<std::int32_t> twins(static_cast<std::size_t>(later.halfEdgeCount()));
+  Parallel::forEach(
+      0, later.halfEdgeCount(),
+      [&](std::int64_t h) { twins[static_cast<std::size_t>(h)] = later.twin(static_cast<std::int32_t>(h)); }, 16);
+  EXPECT_EQ(twins, copy(asked.twin()));
+}
+
 TEST(Determinism, OneAndTwoThreadsBuildTheSameArraysInEveryScheme) {
   for (const ListedScheme& scheme : listedSchemes()) {
     SCOPED_TRACE(scheme.name);

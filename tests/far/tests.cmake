@@ -20,6 +20,7 @@ set(honeycomb_far_tests
   inverse_dual_test.cpp
   large_faces_test.cpp
   limits_test.cpp
+  links_test.cpp
   natural_configuration_test.cpp
   options_test.cpp
   patch_stencils_test.cpp

@@ -40,7 +40,7 @@ Far::LevelTable loosened(const Far::LevelTable& table) {
     for (std::int32_t g = 0; g < batch.rowCount; ++g) {
       loose.loose.outputs.push_back(batch.firstOutput + g);
       for (std::int32_t j = 0; j < batch.width; ++j) {
-        loose.indices.push_back(at(table.indices, batch.firstIndex + g * batch.width + j));
+        loose.indices.edit().push_back(at(table.indices, batch.firstIndex + g * batch.width + j));
         loose.weights.push_back(at(table.weights, batch.firstWeight + j));
         loose.weightsSingle.push_back(at(table.weightsSingle, batch.firstWeight + j));
       }

@@ -234,7 +234,7 @@ TYPED_TEST(Tiles, MakeAllPointsOfATableThatMakesMoreThanItsLevelHasVertices) {
   level.table.sourceCount = count;
   level.table.targetCount = 2 * count;
   level.table.dense = {{1, count, 0, 0, 0}, {1, count, 0, count, 0}};
-  for (std::int32_t i = 0; i < count; ++i) level.table.indices.push_back(i);
+  for (std::int32_t i = 0; i < count; ++i) level.table.indices.edit().push_back(i);
   level.table.weights = {1};
   level.table.weightsSingle = {1};
   const Far::Refinement refinement = Far::Refinement(first).followedBy(std::move(level));

@@ -107,7 +107,7 @@ class Builder {
  private:
   void addIndices(std::int32_t count) {
     std::uniform_int_distribution<std::int32_t> point(0, table_.sourceCount - 1);
-    for (std::int32_t i = 0; i < count; ++i) table_.indices.push_back(point(random_));
+    for (std::int32_t i = 0; i < count; ++i) table_.indices.edit().push_back(point(random_));
   }
   void addWeights(std::int32_t count) {
     std::uniform_real_distribution<double> weight(-1, 1);

@@ -42,11 +42,17 @@ void writeFaceFaces(const Topology& parent, std::int32_t factor, TopologyArrays&
   });
 }
 
-void resizeArrays(TopologyArrays& child, std::int32_t halfEdges, std::int32_t faces, std::int32_t vertices) {
-  for (auto* perHalfEdge : {&child.vert, &child.twin, &child.face}) perHalfEdge->resize(at(halfEdges));
+void resizeLoops(TopologyArrays& child, std::int32_t halfEdges, std::int32_t faces) {
+  child.vert.resize(at(halfEdges));
   child.faceOffsets.resize(at(faces) + 1);
   child.faceOffsets.back() = halfEdges;
   child.parents.resize(at(faces));
+}
+
+void resizeArrays(TopologyArrays& child, std::int32_t halfEdges, std::int32_t faces, std::int32_t vertices) {
+  resizeLoops(child, halfEdges, faces);
+  child.twin.resize(at(halfEdges));
+  child.face.resize(at(halfEdges));
   child.outgoing.resize(at(vertices));
   child.vertexCount = vertices;
 }

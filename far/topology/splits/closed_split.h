@@ -20,7 +20,9 @@ void appendFaceRuns(const Topology& parent, std::int32_t factor, std::vector<Fac
 /// Writes faceOffsets and parents of those faces: f's at f, with `factor` sides a side.
 void writeFaceFaces(const Topology& parent, std::int32_t factor, TopologyArrays& child);
 
-/// Makes room: for half-edges, faces, and vertices.
+/// Makes room for the loops of so many half-edges and faces.
+void resizeLoops(TopologyArrays& child, std::int32_t halfEdges, std::int32_t faces);
+/// The same and for the links, of so many vertices.
 void resizeArrays(TopologyArrays& child, std::int32_t halfEdges, std::int32_t faces, std::int32_t vertices);
 
 /// Where the loops of the faces go that the parent's vertices become, `factor` sides an edge: blocks sorted stably by

@@ -91,6 +91,7 @@ Split zip(BoundaryRule boundary) {
   Split split;
   split.name = "zip";
   split.cornerPlace = CornerPlace::edge;
+  split.laterLinks = true;
   split.grow = [boundary](const Census& parent) { return grow(parent, boundary); };
   split.apply = [boundary](const Topology& parent) -> Result<SplitResult> {
     // Slots: three a half-edge and four a boundary edge.

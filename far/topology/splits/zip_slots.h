@@ -13,6 +13,7 @@ class ZipSlots : public SlotRule {
 
   std::int32_t slotCount() const override { return 3 * halfEdges_ + 4 * parent().boundaryEdgeCount(); }
   std::int32_t vertexSlotCount() const override { return halfEdges_ + 3 * parent().boundaryEdgeCount(); }
+  bool makesThreeValent() const override { return parent().closed(); }
 
  protected:
   enum Letter : std::int32_t { A, B, C };
