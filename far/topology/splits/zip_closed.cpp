@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <array>
+#include <cstddef>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -26,15 +27,22 @@ namespace {
 /// Faces that a task takes at least.
 constexpr std::int64_t kFaceGrain = 1024;
 
-/// Calls visit(f) for the faces made from vertices, concurrently.
+/// Calls visit(first, end) for the loops of the faces made from vertices, concurrently.
 template <class Visit>
 void forVertexFaces(std::span<const FaceRun> runs, const Visit& visit) {
   for (const FaceRun& run : runs) {
     if (run.parent != FaceParent::vertex) continue;
-    Parallel::forEach(
-        run.firstFace, std::int64_t{run.firstFace} + run.faceCount,
-        [&](std::int64_t f) { visit(static_cast<std::int32_t>(f)); }, kFaceGrain);
+    Parallel::forRange(0, run.faceCount, kFaceGrain, [&run, visit](std::int64_t begin, std::int64_t end) {
+      auto h = run.firstHalfEdge + static_cast<std::int32_t>(begin) * run.sides;
+      for (std::int64_t g = begin; g < end; ++g, h += run.sides) visit(h, h + run.sides);
+    });
   }
+}
+
+void writeIdentity(std::int32_t* numbers, std::int32_t count) {
+  Parallel::forRange(0, count, Parallel::kGrain, [numbers](std::int64_t begin, std::int64_t end) {
+    std::iota(numbers + begin, numbers + end, static_cast<std::int32_t>(begin));
+  });
 }
 
 /// From the loops alone. C(n) stands before B(h): what is known of A's twins gives those of B.
@@ -43,20 +51,16 @@ HalfEdgeLinks zipLinks(const TopologyArrays& level) {
   links.twin.resize(level.vert.size());
   links.face.resize(level.vert.size());
   links.outgoing.resize(at(level.vertexCount));
-  const Array<std::int32_t>& vert = level.vert;
-  forVertexFaces(level.runs, [&](std::int32_t f) {
-    for (std::int32_t c = level.faceOffsets[at(f)]; c < level.faceOffsets[at(f) + 1]; c += 2) {
-      links.twin[at(c)] = vert[at(c + 1)];
-      links.twin[at(vert[at(c + 1)])] = c;
+  const std::int32_t* vert = level.vert.data();
+  std::int32_t* twin = links.twin.data();
+  forVertexFaces(level.runs, [vert, twin](std::int32_t first, std::int32_t end) {
+    for (std::int32_t c = first; c < end; c += 2) {
+      twin[c] = vert[c + 1];
+      twin[vert[c + 1]] = c;
     }
   });
-  forVertexFaces(level.runs, [&](std::int32_t f) {
-    const std::int32_t first = level.faceOffsets[at(f)];
-    const std::int32_t end = level.faceOffsets[at(f) + 1];
-    for (std::int32_t b = first + 1; b < end; b += 2) {
-      const std::int32_t across = vert[at(b + 1 == end ? first : b + 1)];
-      links.twin[at(b)] = links.twin[at(across)] + 1;
-    }
+  forVertexFaces(level.runs, [vert, twin](std::int32_t first, std::int32_t end) {
+    for (std::int32_t b = first + 1; b < end; b += 2) twin[b] = twin[vert[b + 1 == end ? first : b + 1]] + 1;
   });
   Parallel::forEach(
       0, static_cast<std::int64_t>(level.parents.size()),
@@ -65,12 +69,11 @@ HalfEdgeLinks zipLinks(const TopologyArrays& level) {
                   static_cast<std::int32_t>(f));
       },
       kFaceGrain);
-  Parallel::forEach(0, level.vertexCount,
-                    [&](std::int64_t h) { links.outgoing[at(h)] = static_cast<std::int32_t>(h); });
+  writeIdentity(links.outgoing.data(), level.vertexCount);
   return links;
 }
 
-/// The half-edge C(v) of a level that zipClosed made, and the one before it in its loop.
+/// The half-edge C(v) of a level made by zipClosed, and the one before it in its loop.
 struct CornerHalfEdges {
   std::int32_t c = 0, before = 0;
 };
@@ -78,12 +81,12 @@ struct CornerHalfEdges {
 /// Per vertex, from the loops alone.
 Array<CornerHalfEdges> cornerHalfEdges(const Topology& level) {
   Array<CornerHalfEdges> corners(at(level.vertexCount()));
-  const std::span<const std::int32_t> vert = level.vert();
-  const std::span<const std::int32_t> offsets = level.faceOffsets();
-  forVertexFaces(level.runs(), [&](std::int32_t f) {
-    std::int32_t before = offsets[at(f) + 1] - 1;
-    for (std::int32_t c = offsets[at(f)]; c < offsets[at(f) + 1]; c += 2) {
-      corners[at(vert[at(c)])] = {c, before};
+  const std::int32_t* vert = level.vert().data();
+  CornerHalfEdges* out = corners.data();
+  forVertexFaces(level.runs(), [vert, out](std::int32_t first, std::int32_t end) {
+    std::int32_t before = end - 1;
+    for (std::int32_t c = first; c < end; c += 2) {
+      out[vert[c]] = {c, before};
       before = c + 1;
     }
   });
@@ -108,32 +111,56 @@ void writeVertexFaces(const Topology& parent, const VertexBlocks& blocks, Topolo
   Parallel::forEach(0, parent.vertexCount(), write, kFaceGrain);
 }
 
-/// The same behind a step of zipClosed. A(v) of the parent leaves its vertex v, A(p) before it. C(v) = s is A(p)'s
-/// twin, C(next v) = t that of A(v): the three half-edges from v are v, s and B(v) = t + 1, those before them p, s's
-/// and t.
+/// The loops of the faces that the vertices of a level made by zipClosed become. A(v) of the level leaves its vertex v,
+/// A(p) stands before it. C(v) = s is A(p)'s twin, C(next v) = t that of A(v): the three half-edges from v are v, s and
+/// B(v) = t + 1, those before them p, s's and t. Plain pointers: a number that is written could not change them.
+class ZippedFaces {
+ public:
+  ZippedFaces(const Topology& parent, const Array<CornerHalfEdges>& corners, TopologyArrays& child)
+      : corners_(corners.data()),
+        firstSlot_(parent.halfEdgeCount()),
+        vert_(child.vert.data() + firstSlot_),
+        offsets_(child.faceOffsets.data() + parent.faceCount()),
+        parents_(child.parents.data() + parent.faceCount()) {}
+
+  /// The faces of the vertices first .. end - 1, which are a loop.
+  void write(std::int32_t first, std::int32_t end) const {
+    std::int32_t p = end - 1;
+    CornerHalfEdges here = corners_[first];
+    const std::int32_t around = here.c;
+    for (std::int32_t v = first; v < end; p = v++) {
+      const CornerHalfEdges next = v + 1 < end ? corners_[v + 1] : CornerHalfEdges{around, 0};
+      const std::ptrdiff_t place = std::ptrdiff_t{6} * v;
+      offsets_[v] = firstSlot_ + static_cast<std::int32_t>(place);
+      parents_[v] = v;
+      std::int32_t* loop = vert_ + place;
+      loop[0] = v;
+      loop[1] = p;
+      loop[2] = here.c;
+      loop[3] = here.before;
+      loop[4] = next.c + 1;
+      loop[5] = next.c;
+      here = next;
+    }
+  }
+
+ private:
+  const CornerHalfEdges* corners_;
+  std::int32_t firstSlot_;
+  std::int32_t* vert_;
+  std::int32_t* offsets_;
+  std::int32_t* parents_;
+};
+
 void writeZippedFaces(const Topology& parent, TopologyArrays& child) {
   const Array<CornerHalfEdges> corners = cornerHalfEdges(parent);
-  const std::int32_t firstFace = parent.faceCount();
-  const std::int32_t firstSlot = parent.halfEdgeCount();
-  const auto writeFace = [&](std::int32_t v, std::int32_t p, std::int32_t next) {
-    const auto [s, beforeS] = corners[at(v)];
-    const std::int32_t t = corners[at(next)].c;
-    const std::int32_t slot = firstSlot + 6 * v;
-    child.faceOffsets[at(firstFace + v)] = slot;
-    child.parents[at(firstFace + v)] = v;
-    const std::array<std::int32_t, 6> loop{v, p, s, beforeS, t + 1, t};
-    std::copy(loop.begin(), loop.end(), &child.vert[at(slot)]);
-  };
-  const auto writeFaces = [&](std::int64_t f) {
-    const std::int32_t first = parent.faceOffsets()[at(f)];
-    const std::int32_t last = parent.faceOffsets()[at(f) + 1] - 1;
-    writeFace(first, last, first + 1);
-    for (std::int32_t v = first + 1; v < last; ++v) writeFace(v, v - 1, v + 1);
-    writeFace(last, last - 1, first);
-  };
+  const ZippedFaces faces(parent, corners, child);
   for (const FaceRun& run : parent.runs()) {
     if (run.parent != FaceParent::face) continue;
-    Parallel::forEach(run.firstFace, std::int64_t{run.firstFace} + run.faceCount, writeFaces, kFaceGrain);
+    Parallel::forRange(0, run.faceCount, kFaceGrain, [&run, faces](std::int64_t begin, std::int64_t end) {
+      auto v = run.firstHalfEdge + static_cast<std::int32_t>(begin) * run.sides;
+      for (std::int64_t g = begin; g < end; ++g, v += run.sides) faces.write(v, v + run.sides);
+    });
   }
 }
 
@@ -150,7 +177,7 @@ SplitResult zipClosed(const Topology& parent) {
   blocks.appendRuns(child.runs);
   resizeLoops(child, 3 * halfEdges, parent.faceCount() + parent.vertexCount());
   writeFaceFaces(parent, 1, child);
-  Parallel::forEach(0, halfEdges, [&](std::int64_t h) { child.vert[at(h)] = static_cast<std::int32_t>(h); });
+  writeIdentity(child.vert.data(), halfEdges);
   if (parent.linkRule() == zipLinks) {
     writeZippedFaces(parent, child);
   } else {
