@@ -158,7 +158,7 @@ class Builder {
   };
 
   /// Summed are the rows of large faces, and where no central control vertices are given those of the faces that the
-  /// vertices of large faces become, all in pieces of some that hold one.
+  /// vertices of large faces become, in pieces of the faces of a run.
   std::vector<Segment> centralSegments() const {
     constexpr std::int32_t kPiece = 1024;
     std::vector<Segment> segments;
@@ -168,9 +168,8 @@ class Builder {
       for (std::int32_t first = run.firstFace; first < end; first += kPiece) {
         const auto parents = split_.topology.parents().subspan(at(first), at(std::min(kPiece, end - first)));
         const bool summed = source_.hasSums() && std::ranges::any_of(parents, [&](std::int32_t parent) {
-                              return run.parent == FaceParent::face     ? source_.sumPoint(parent) >= 0
-                                     : run.parent == FaceParent::vertex ? beside[at(parent)] != 0
-                                                                        : false;
+                              if (run.parent == FaceParent::face) return source_.sumPoint(parent) >= 0;
+                              return run.parent == FaceParent::vertex && !beside.empty() && beside[at(parent)] != 0;
                             });
         if (segments.empty() || segments.back().summed != summed) segments.push_back({first, summed});
       }
@@ -179,9 +178,10 @@ class Builder {
   }
 
   /// Per vertex of the parent: is it one of a large face, whose central control vertex is made up from its corners?
+  /// Empty where there are none such.
   std::vector<std::uint8_t> besideLargeFaces() const {
+    if (source_.hasCentral() || !source_.hasSums()) return {};
     std::vector<std::uint8_t> beside(at(parent_.vertexCount()), 0);
-    if (source_.hasCentral()) return beside;
     for (const ProjectedFace& face : table_.projected) {
       for (std::int32_t j = 0; j < face.corners; ++j) beside[at(table_.indices[at(face.firstIndex + j)])] = 1;
     }

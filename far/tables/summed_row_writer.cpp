@@ -8,7 +8,7 @@
 namespace honeycomb::Far {
 
 void SummedRowWriter::add(std::int32_t firstOutput, std::int64_t count, const RowWriter::MakeRow& makeRow) {
-  /// Rows held at once: some megabytes.
+  // Rows held at once: some megabytes.
   constexpr std::int64_t kHeld = 1 << 14;
   std::vector<Row> rows(at(std::min(count, kHeld)));
   for (std::int64_t first = 0; first < count; first += kHeld) {
