@@ -29,30 +29,40 @@ struct VertexFrames {
   Kernels::Outputs outputs;
 };
 
-/// Of faces `face` .. as many as vectors of D hold at once; returns the first left. kSides: points a vertex reads,
-/// kEach: points of a face, any number if 0.
-template <int kSides, int kEach, class D, class Sink>
+/// Of faces `face` .. as many as kTogether vectors of D hold at once; returns the first left. kSides: points a vertex
+/// reads, kEach: points of a face, any number if 0.
+template <int kSides, int kEach, int kTogether, class D, class Sink>
 HWY_INLINE std::int32_t facesOfFrames(D d, const VertexFrames& frames, Sink& sink, std::int32_t face) {
   const int n = kSides > 0 ? kSides : frames.group.sides;
   const int each = kEach > 0 ? kEach : frames.group.each;
   const TangentWeights<kSides, D> w(d, frames.weights, n);
-  for (; face + kBlocks<D> <= frames.group.count; face += kBlocks<D>) {
-    const Far::TilePoint* index = frames.index + at(face) * at(each) * at(n);
-    hn::Vec<D> v[kEach > 0 ? kEach : Far::kLargestCirculant];
-    HWY_UNROLL(1)
-    for (int i = 0; i < each; ++i) {
-      v[i] = crossedTangents<kSides>(d, w, frames.points, index + i * n, n, at(each) * at(n));
+  for (; face + kTogether * kBlocks<D> <= frames.group.count; face += kTogether * kBlocks<D>) {
+    hn::Vec<D> v[kTogether * (kEach > 0 ? kEach : Far::kLargestCirculant)];
+    for (int t = 0; t < kTogether; ++t) {
+      const Far::TilePoint* index = frames.index + at(face + t * kBlocks<D>) * at(each) * at(n);
+      HWY_UNROLL(1)
+      for (int i = 0; i < each; ++i) {
+        v[t * each + i] = crossedTangents<kSides>(d, w, frames.points, index + i * n, n, at(each) * at(n));
+      }
     }
-    makeAllUnit(d, v, each);
-    sink.put(d, v, each, frames.outputs, face);
+    makeAllUnit(d, v, kTogether * each);
+    HWY_UNROLL(2)
+    for (int t = 0; t < kTogether; ++t) sink.put(d, v + t * each, each, frames.outputs, face + t * kBlocks<D>);
   }
   return face;
 }
 
 template <int kSides, int kEach, class Sink>
 void groupOfFrames(const VertexFrames& frames, Sink& sink) {
-  const std::int32_t left = facesOfFrames<kSides, kEach>(HWY_CAPPED(float, 16)(), frames, sink, 0);
-  facesOfFrames<kSides, kEach>(Block(), frames, sink, left);
+  using Wide = HWY_CAPPED(float, 16);
+  std::int32_t face = 0;
+  const auto upTo = [&](auto d, auto together) HWY_ATTR {
+    face = facesOfFrames<kSides, kEach, decltype(together)::value>(d, frames, sink, face);
+  };
+  constexpr int kTogether = kUnitTogether<kEach>;
+  if constexpr (kTogether > 1) upTo(Wide(), Int<kTogether>{});
+  upTo(Wide(), Int<1>{});
+  upTo(Block(), Int<1>{});
 }
 
 /// Points that are not vertices.
@@ -79,7 +89,7 @@ void limitNormals(const Far::TileTable& table, std::int32_t tile, const float* p
     } else if (group.sides != 6) {
       groupOfFrames<0, 0>(frames, sink);
     } else {
-      forCommonSides(group.each, [&](auto each) { groupOfFrames<6, decltype(each)::value>(frames, sink); });
+      forCommonSides(group.each, [&](auto each) HWY_ATTR { groupOfFrames<6, decltype(each)::value>(frames, sink); });
     }
   }
   sink.finish();

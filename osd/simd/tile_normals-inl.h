@@ -194,25 +194,34 @@ HWY_INLINE void faceNormals(const Far::TileNormals& table, const Far::TileNormal
   }
 }
 
-/// Normals of the outputs of the faces of a step; N sides, or any number if 0. Returns the first face left.
-template <int N, class D, class Sink>
+/// Vectors of faces made unit together, so that those of hexagons are whole fours.
+template <int N>
+constexpr int kUnitTogether = N == 6 ? 2 : 1;
+
+/// Normals of the outputs of the faces of a step, kTogether vectors of faces at a time; N sides, or any number if 0.
+/// Returns the first face left.
+template <int N, int kTogether, class D, class Sink>
 HWY_INLINE std::int32_t cornerNormals(D d, const Far::TileStep& step, const Far::TilePoint* faces, int neighbours,
                                       const Kernels::Outputs& outputs, const float* normals, Sink& sink,
                                       std::int32_t g) {
   const int n = N > 0 ? N : step.width;
   const std::size_t stride = at(1 + n * neighbours);
-  for (; g + kBlocks<D> <= step.count; g += kBlocks<D>) {
-    const Far::TilePoint* index = faces + at(g) * stride;
-    const auto own = loadOwn(d, normals, index++, stride);
-    const auto twice = own + own;
-    hn::Vec<D> v[N > 0 ? N : Far::kLargestCirculant];
-    HWY_UNROLL(8)
-    for (int i = 0; i < n; ++i) {
-      v[i] = twice + loadOwn(d, normals, index++, stride);
-      if (neighbours > 1) v[i] = v[i] + loadOwn(d, normals, index++, stride);
+  for (; g + kTogether * kBlocks<D> <= step.count; g += kTogether * kBlocks<D>) {
+    hn::Vec<D> v[kTogether * (N > 0 ? N : Far::kLargestCirculant)];
+    HWY_UNROLL(2)
+    for (int t = 0; t < kTogether; ++t) {
+      const Far::TilePoint* index = faces + at(g + t * kBlocks<D>) * stride;
+      const auto own = loadOwn(d, normals, index++, stride);
+      const auto twice = own + own;
+      HWY_UNROLL(8)
+      for (int i = t * n; i < (t + 1) * n; ++i) {
+        v[i] = twice + loadOwn(d, normals, index++, stride);
+        if (neighbours > 1) v[i] = v[i] + loadOwn(d, normals, index++, stride);
+      }
     }
-    makeAllUnit(d, v, n);
-    sink.put(d, v, n, outputs, g);
+    makeAllUnit(d, v, kTogether * n);
+    HWY_UNROLL(2)
+    for (int t = 0; t < kTogether; ++t) sink.put(d, v + t * n, n, outputs, g + t * kBlocks<D>);
   }
   return g;
 }
@@ -221,9 +230,16 @@ template <int N, class Sink>
 void stepCornerNormals(const Far::TileStep& step, const Far::TilePoint* faces, int neighbours,
                        const Kernels::Outputs& outputs, const float* normals, Sink& sink) {
   std::int32_t g = 0;
-  if constexpr (N > 0)
-    g = cornerNormals<N>(HWY_CAPPED(float, 16)(), step, faces, neighbours, outputs, normals, sink, g);
-  cornerNormals<N>(Block(), step, faces, neighbours, outputs, normals, sink, g);
+  const auto upTo = [&](auto d, auto together) HWY_ATTR {
+    g = cornerNormals<N, decltype(together)::value>(d, step, faces, neighbours, outputs, normals, sink, g);
+  };
+  if constexpr (N > 0) {
+    using Wide = HWY_CAPPED(float, 16);
+    constexpr int kTogether = kUnitTogether<N>;
+    upTo(Wide(), Int<kTogether>{});
+    if constexpr (kTogether > 1) upTo(Wide(), Int<1>{});
+  }
+  upTo(Block(), Int<1>{});
 }
 
 template <class Sink>
@@ -253,7 +269,7 @@ void vertexNormals(const Far::TileTable& table, const Far::Tile& tile, const Ker
     if (step.kind != Far::TileStep::Kind::circulant) {
       rowNormals(step, faces, outputs, views.scratch, sink);
     } else {
-      forCommonSides(step.width, [&](auto sides) {
+      forCommonSides(step.width, [&](auto sides) HWY_ATTR {
         stepCornerNormals<decltype(sides)::value>(step, faces, neighbours, outputs, views.scratch, sink);
       });
     }
