@@ -58,7 +58,8 @@ inline Outputs outputsFrom(const Far::TileTable& table, std::int32_t first) {
 /// Where a stage's points go: to the scratch where others read them, to the target where its level is the wanted one
 /// and the tile writes it.
 struct StageTarget {
-  std::int32_t kept = -1;  ///< the tile's number of the first, the others follow; -1: not kept
+  std::int32_t kept = -1;  ///< TileStage::firstPoint; -1: not kept
+  std::int32_t fours = 0;  ///< kept as TilePlaces::fours: so many of the faces
   bool wanted = false;
   Outputs outputs;
 };
@@ -69,6 +70,7 @@ inline StageTarget stageTarget(const Far::TileTable& table, const Far::TileStep&
   const std::int32_t here = step.level + s;
   StageTarget target;
   if (here < level || last > level) target.kept = stage.firstPoint;
+  target.fours = Far::facesInFours(table.places, step.count);
   target.wanted = here == level && stage.firstOutput >= 0;
   if (target.wanted) target.outputs = outputsFrom(table, stage.firstOutput);
   return target;
@@ -111,16 +113,17 @@ void tileFaces(const Far::TileTable& table, const Far::TileStep& step, std::int3
     for (std::int32_t s = 0; s < stages; ++s) {
       const StageTarget target = stageTarget(table, step, s, views.level, views.last);
       const bool kept = target.kept >= 0;
-      const View<Real>& out = kept ? own : views.target;
-      const std::int32_t first = kept ? target.kept + g * n : target.outputs.of(g, n);
+      const Far::FacePlaces places = Far::placesOfFace(table.places, g, step.count, n);
+      const View<Real> out = kept ? View<Real>{own.point(target.kept + places.first), own.stride * places.step}
+                                  : View<Real>{views.target.point(target.outputs.of(g, n)), views.target.stride};
       const Real* weights = table.weightsAs<Real>().data() + table.stages[at(step.firstStage + s)].firstWeight;
-      circulantFace<N>(step.form, weights, p, n, out, first);
+      circulantFace<N>(step.form, weights, p, n, out, 0);
       if (kept && target.wanted) {
-        const std::int32_t also = target.outputs.of(g, n);
-        for (std::int32_t i = 0; i < n; ++i) store(load<Width>(out.point(first + i)), views.target.point(also + i));
+        const std::int32_t first = target.outputs.of(g, n);
+        for (std::int32_t i = 0; i < n; ++i) store(load<Width>(out.point(i)), views.target.point(first + i));
       }
       if (s + 1 == stages) break;
-      for (std::int32_t i = 0; i < n; ++i) p[i] = load<Width>(out.point(first + i));
+      for (std::int32_t i = 0; i < n; ++i) p[i] = load<Width>(out.point(i));
     }
   }
 }

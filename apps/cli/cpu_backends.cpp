@@ -91,7 +91,8 @@ class CpuBackend : public Backend {
     const Threads threads = atOnce == 1 ? threads_ : Threads::one;
     FrameEvaluators evaluators;
     if (instructions_ == Instructions::vectors && tilesPay(refinement, frames, atOnce)) {
-      Result<Far::TileTable> built = Far::buildTileTable(refinement, {.scratchPoints = Osd::tilePoints()});
+      Result<Far::TileTable> built =
+          Far::buildTileTable(refinement, {.scratchPoints = Osd::tilePoints(), .places = Far::TilePlaces::fours});
       if (!built) return tl::unexpected(built.error());
       const auto tiles = std::make_shared<const Far::TileTable>(std::move(*built));
       evaluators.tileBytes = tiles->byteCount();

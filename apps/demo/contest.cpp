@@ -101,7 +101,8 @@ Result<Contestant> tiledContestant(const Far::Refinement& refinement) {
     Osd::TileEvaluator evaluator;
   };
   const Stopwatch watch;
-  Result<Far::TileTable> tiles = Far::buildTileTable(refinement, {.scratchPoints = Osd::tilePoints()});
+  Result<Far::TileTable> tiles =
+      Far::buildTileTable(refinement, {.scratchPoints = Osd::tilePoints(), .places = Far::TilePlaces::fours});
   if (!tiles) return tl::unexpected(tiles.error());
   const double preparation = watch.milliseconds();
   auto state = std::make_shared<State>();

@@ -30,6 +30,7 @@ Result<Prepared> prepareTiles(const Problem& problem, Osd::CpuEvaluator::Threads
   Far::TileOptions options;
   options.scratchPoints = Osd::tilePoints();
   options.normals = kindOf(problem.normals);
+  options.places = Far::TilePlaces::fours;
   Result<Far::TileTable> built = Far::buildTileTable(problem.refinement, options);
   if (!built) return tl::unexpected(built.error());
   Prepared prepared;

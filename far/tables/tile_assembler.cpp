@@ -19,7 +19,8 @@ TilePlan::TilePlan(const Refinement& refinement, std::int32_t root, std::int32_t
                  : std::nullopt),
       sharing(units, large, wantedPoints()),
       owners(growTiles(units, sharing, pointsPerTile)),
-      order(options.order) {
+      order(options.order),
+      places(options.places) {
   if (normals) normals->share(sharing);
   if (limits) limits->share(sharing);
   std::int32_t weights = 0;
@@ -232,7 +233,8 @@ TilePoint TileAssembler::ownNumber(std::int32_t k, std::int32_t point, const Til
   const Held& held = held_[at(level.pointChain[at(point)])];
   const TileStep& step = parts.steps[at(held.step)];
   const std::int32_t first = parts.stages[at(step.firstStage + k - step.level)].firstPoint;
-  return tilePoint(first + held.place * outputsOf(step) + level.pointPlace[at(point)]);
+  const FacePlaces places = placesOfFace(plan_.places, held.place, step.count, outputsOf(step));
+  return tilePoint(first + places.first + places.step * level.pointPlace[at(point)]);
 }
 
 std::int32_t TileAssembler::weightOf(std::int32_t k, const UnitBatch& batch) const {
@@ -257,6 +259,8 @@ void TileAssembler::addStages(std::int32_t k, const UnitBatch& batch, std::span<
     TileStage stage;
     stage.firstWeight = weightOf(j, *here);
     if (units.read(j)) {
+      // Fours begin on a cache line.
+      if (plan_.places == TilePlaces::fours) pointCount_ = (pointCount_ + kTileFours - 1) / kTileFours * kTileFours;
       stage.firstPoint = pointCount_;
       pointCount_ += step.count * batch.outputs;
     }

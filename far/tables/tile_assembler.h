@@ -37,6 +37,7 @@ class TilePlan {
   TileSharing sharing;
   TileOwners owners;
   TileOrder order;
+  TilePlaces places;
 
  private:
   struct Lists {

@@ -124,6 +124,7 @@ Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions
   for (std::int64_t scratch = options.scratchPoints;; scratch /= 2) {
     TileTable table;
     table.order = options.order;
+    table.places = options.places;
     table.lastLevel = last;
     table.normalKind = options.normals;
     table.rootLevel = chooseRoot(refinement, last, end, std::max<std::int64_t>(scratch, 1));

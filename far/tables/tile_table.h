@@ -22,12 +22,39 @@ enum class TileNormalKind : std::uint8_t {
   exact  ///< of the refinement's limits (RefineOptions::limits), the bits of CpuEvaluator::vertexLimits; slower
 };
 
+/// How the points of a step's faces stand in a tile, faces a b c .. of n points:
+///     faces    a0 a1 .. an  b0 b1 .. bn  c0 ..
+///     fours    a0 b0 c0 d0  a1 b1 c1 d1  ..  an bn cn dn  e0 f0 ..; up to three faces left over one after the other
+enum class TilePlaces : std::uint8_t {
+  faces,
+  fours  ///< four faces' points are a cache line, which vectors write as they come: what TileEvaluator is fastest with
+};
+
+/// Faces that stand point by point together.
+constexpr std::int32_t kTileFours = 4;
+/// How many of `count` faces do.
+constexpr std::int32_t facesInFours(TilePlaces places, std::int32_t count) {
+  return places == TilePlaces::fours ? count - count % kTileFours : 0;
+}
+/// Where the points of a face stand, counted from the step's first: the first of them, and from one to the next.
+struct FacePlaces {
+  std::int32_t first = 0;
+  std::int32_t step = 1;
+};
+/// Of face `face` of `count` with `sides` points each.
+constexpr FacePlaces placesOfFace(TilePlaces places, std::int32_t face, std::int32_t count, std::int32_t sides) {
+  if (face >= facesInFours(places, count)) return {face * sides, 1};
+  const std::int32_t among = face % kTileFours;
+  return {(face - among) * sides + among, kTileFours};
+}
+
 struct TileOptions {
   std::int32_t level = 0;             ///< the last level to evaluate; 0: the refinement's last
   std::int32_t scratchPoints = 8192;  ///< points a tile keeps at once, about, 16 bytes each in single precision: what
                                       ///< half a second-level cache holds; 64 .. 32768
   TileOrder order = TileOrder::levels;
   TileNormalKind normals = TileNormalKind::none;
+  TilePlaces places = TilePlaces::faces;
 };
 
 /// Points of a tile are numbered from 0 over all of its levels; kept is twice the number, so that sixteen bits tell
@@ -41,7 +68,8 @@ constexpr TilePoint tilePoint(std::int32_t number) {
 /// What the points of a step of a tile go through at one level: the arithmetic of a batch of that level's table.
 struct TileStage {
   std::int32_t firstWeight = 0;   ///< in TileTable::weights: the form of a circulant, the weights of dense rows
-  std::int32_t firstPoint = -1;   ///< the tile's own number of the first output; -1: nobody in the tile reads them
+  std::int32_t firstPoint = -1;   ///< the tile's own number of the first output, the others stand behind it as
+                                  ///< TilePlaces tells; -1: nobody in the tile reads them
   std::int32_t firstOutput = -1;  ///< where they go when this level is the wanted one; -1: another tile writes them.
                                   ///< TileOrder::levels: in TileTable::outputs, one entry a face or row, its first
                                   ///< point; TileOrder::tiles: the first point, the others follow
@@ -203,6 +231,7 @@ struct TileTable {
   std::int32_t rootLevel = 0;
   std::int32_t lastLevel = 0;
   TileOrder order = TileOrder::levels;
+  TilePlaces places = TilePlaces::faces;
   std::int32_t rootPoints = 0;           ///< points of the root level
   std::vector<std::int32_t> pointCount;  ///< of levels 0 .. lastLevel: what the level tables read and make
   std::vector<Tile> tiles;

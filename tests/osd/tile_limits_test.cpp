@@ -52,10 +52,14 @@ template <class Real>
 void compareLimits(const Far::Refinement& refinement, std::int32_t scratchPoints, std::uint64_t seed) {
   const std::vector<Real> control = randomControl<Real>(refinement, seed);
   const TileSurface<Real> expected = withLimits(refinement, control);
-  for (const TileOrder order : {TileOrder::levels, TileOrder::tiles}) {
-    SCOPED_TRACE(order == TileOrder::tiles ? "tile order" : "level order");
+  for (const auto& [order, places] :
+       {std::pair(TileOrder::levels, Far::TilePlaces::faces), std::pair(TileOrder::levels, Far::TilePlaces::fours),
+        std::pair(TileOrder::tiles, Far::TilePlaces::fours)}) {
+    SCOPED_TRACE(std::string(order == TileOrder::tiles ? "tile" : "level") + " order, " +
+                 (places == Far::TilePlaces::fours ? "fours" : "faces"));
     const auto tiles = Far::buildTileTable(
-        refinement, {.scratchPoints = scratchPoints, .order = order, .normals = TileNormalKind::exact});
+        refinement,
+        {.scratchPoints = scratchPoints, .order = order, .normals = TileNormalKind::exact, .places = places});
     ASSERT_TRUE(tiles.has_value()) << tiles.error().message;
     ASSERT_NO_FATAL_FAILURE(expectOfTiles(refinement, *tiles, control, inOrderOf(*tiles, expected)));
   }

@@ -41,10 +41,12 @@ TileSurface<Real> levelByLevel(const Far::Refinement& refinement, const std::vec
 template <class Real>
 void compare(const Far::Refinement& refinement, std::int32_t scratchPoints, std::uint64_t seed) {
   const std::vector<Real> control = randomControl<Real>(refinement, seed);
-  const auto tiles =
-      Far::buildTileTable(refinement, {.scratchPoints = scratchPoints, .normals = Far::TileNormalKind::fast});
-  ASSERT_TRUE(tiles.has_value()) << tiles.error().message;
-  expectOfTiles(refinement, *tiles, control, levelByLevel(refinement, control));
+  for (const auto places : {Far::TilePlaces::faces, Far::TilePlaces::fours}) {
+    const auto tiles = Far::buildTileTable(
+        refinement, {.scratchPoints = scratchPoints, .normals = Far::TileNormalKind::fast, .places = places});
+    ASSERT_TRUE(tiles.has_value()) << tiles.error().message;
+    ASSERT_NO_FATAL_FAILURE(expectOfTiles(refinement, *tiles, control, levelByLevel(refinement, control)));
+  }
 }
 
 TYPED_TEST(TileNormals, AreThoseOfTheLevelsOnRandomMeshes) {

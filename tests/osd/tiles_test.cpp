@@ -31,8 +31,10 @@ template <class Real>
 constexpr Real kUntouched = static_cast<Real>(-12345.5);
 
 Far::TileTable tiled(const Far::Refinement& refinement, std::int32_t scratchPoints,
-                     Far::TileOrder order = Far::TileOrder::levels, std::int32_t level = 0) {
-  auto tiles = Far::buildTileTable(refinement, {.level = level, .scratchPoints = scratchPoints, .order = order});
+                     Far::TileOrder order = Far::TileOrder::levels, std::int32_t level = 0,
+                     Far::TilePlaces places = Far::TilePlaces::faces) {
+  auto tiles = Far::buildTileTable(refinement,
+                                   {.level = level, .scratchPoints = scratchPoints, .order = order, .places = places});
   EXPECT_TRUE(tiles.has_value()) << (tiles ? "" : tiles.error().message);
   return std::move(*tiles);
 }
@@ -82,7 +84,9 @@ std::vector<Osd::TileEvaluatorOptions> allKinds(Osd::CpuEvaluator::Threads threa
 
 template <class Real>
 void compareAllLevels(const Far::Refinement& refinement, std::int32_t scratchPoints, Random& random) {
-  const Far::TileTable tiles = tiled(refinement, scratchPoints);
+  const Far::TileTable tilings[] = {
+      tiled(refinement, scratchPoints),
+      tiled(refinement, scratchPoints, Far::TileOrder::levels, 0, Far::TilePlaces::fours)};
   const auto length = static_cast<std::int32_t>(random.between(1, 5));
   const auto gap = [&] { return static_cast<std::int32_t>(random.chance(0.5) ? 0 : random.below(3)); };
   const Case<Real> test{refinement,
@@ -91,9 +95,12 @@ void compareAllLevels(const Far::Refinement& refinement, std::int32_t scratchPoi
   for (const Osd::TileEvaluatorOptions& options : allKinds(Osd::CpuEvaluator::Threads::one)) {
     Osd::TileEvaluator evaluator(options);
     for (std::int32_t k = 1; k <= refinement.levelCount(); ++k) {
-      ASSERT_TRUE(sameBits(test.byTiles(evaluator, tiles, k), test.chained(k)))
-          << "level " << k << ", length " << length << ", vectors " << (options.instructions == Instructions::vectors)
-          << ", streamed from " << options.streamedBytes;
+      const std::vector<Real> expected = test.chained(k);
+      for (const Far::TileTable& tiles : tilings) {
+        ASSERT_TRUE(sameBits(test.byTiles(evaluator, tiles, k), expected))
+            << "level " << k << ", length " << length << ", vectors " << (options.instructions == Instructions::vectors)
+            << ", streamed from " << options.streamedBytes << ", fours " << (tiles.places == Far::TilePlaces::fours);
+      }
     }
   }
 }
