@@ -49,7 +49,10 @@ std::vector<LevelSize> predictSizes(const Far::Topology& control, const SchemeCh
     // An evaluator keeps the points of the two levels before the last.
     std::int64_t points = shape.framesAtOnce * (size.pointBytes + pointsBefore);
     if (limits) points += (counts[k].vertices + counts[k + 1].points) * pointSize;
-    if (shape.fastNormals) points += counts[k].points * (kFastNormalRow + 2 * pointSize);
+    if (shape.fastNormals) {
+      points += counts[k].points * (kFastNormalRow + 2 * pointSize) + counts[k].links;
+      if (k > 0) points += counts[k - 1].links;
+    }
     size.runBytes = build.tables + std::max(build.scratch, points);
     pointsBefore = size.pointBytes + (k == 0 ? 0 : sizes.back().pointBytes);
     sizes.push_back(std::move(size));
@@ -64,9 +67,10 @@ Result<void> checkSizes(std::span<const LevelSize> sizes, std::int64_t memory) {
     if (size.counts.exact && size.counts.halfEdges > kMostHalfEdges)
       return fail(
           ErrorCode::tooLarge,
-          fmt::format("level {} would have {} half-edges and take {}; 2^31 - 1 half-edges is the most a level can "
-                      "have; {}",
-                      level, grouped(size.counts.halfEdges), humanBytes(size.runBytes), advice(level)),
+          fmt::format(
+              "level {} would have {} half-edges and take {} ({} bytes); 2^31 - 1 half-edges is the most a level can "
+              "have; {}",
+              level, grouped(size.counts.halfEdges), humanBytes(size.runBytes), size.runBytes, advice(level)),
           level);
     if (size.runBytes > memory)
       return fail(ErrorCode::tooLarge,
