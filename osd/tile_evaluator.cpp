@@ -124,10 +124,11 @@ template <class Real>
 void TileEvaluator::evaluateTile(const Far::TileTable& tiles, std::int32_t number, std::int32_t level,
                                  const PointsOut<Real>& refined, const PointsOut<Real>& normals,
                                  const TileShared<Real>& shared, const Scratch<Real>& scratch) const {
-  const auto streamed = [&](const PointsOut<Real>& target) {
-    const std::int64_t numbers = target.desc.extent(tiles.pointCount[at(level)]);
-    return numbers * std::int64_t{sizeof(Real)} >= options_.streamedBytes ? scratch.stream : nullptr;
+  // Points and normals share the caches.
+  const auto bytesOf = [&](const PointsOut<Real>& target) {
+    return target.data.empty() ? 0 : target.desc.extent(tiles.pointCount[at(level)]) * std::int64_t{sizeof(Real)};
   };
+  Real* const stream = bytesOf(refined) + bytesOf(normals) >= options_.streamedBytes ? scratch.stream : nullptr;
   const Points<Real>& root = shared.root();
   const Far::Tile& tile = tiles.tiles[at(number)];
   const bool behind = !normals.data.empty() && tiles.normalKind == Far::TileNormalKind::exact;
@@ -139,7 +140,7 @@ void TileEvaluator::evaluateTile(const Far::TileTable& tiles, std::int32_t numbe
     in.data += done;
     out.data += done;
     const View<const Real> sharedPoints{shared.points().data() + done, root.desc.length};
-    const Kernels::TileViews<Real> views{in, sharedPoints, out, scratch.points, level, last, streamed(refined)};
+    const Kernels::TileViews<Real> views{in, sharedPoints, out, scratch.points, level, last, stream};
     forPieceWidth(std::min(kPiece, root.desc.length - done), [&](auto width) {
       if constexpr (std::is_same_v<Real, float>) {
         if (vectors) return Simd::evaluateTile(tiles, tile, views, width());
@@ -148,8 +149,7 @@ void TileEvaluator::evaluateTile(const Far::TileTable& tiles, std::int32_t numbe
     });
   }
   if (normals.data.empty()) return;
-  const Kernels::NormalViews<Real> views{
-      {shared.normals().data(), 3}, viewOf(normals), scratch.normals, streamed(normals)};
+  const Kernels::NormalViews<Real> views{{shared.normals().data(), 3}, viewOf(normals), scratch.normals, stream};
   if constexpr (std::is_same_v<Real, float>) {
     if (vectors) return Simd::evaluateTileNormals(tiles, number, scratch.points, views);
   }
