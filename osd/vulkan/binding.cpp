@@ -206,7 +206,7 @@ void VulkanBinding::record(VkCommandBuffer commands) const {
 
 Result<void> VulkanBinding::makeTimer() {
   timedEnds_ = table_.state_->levelEnds;
-  if (timedEnds_.back() < phases_.size()) timedEnds_.push_back(phases_.size());
+  if (timedEnds_.empty() || timedEnds_.back() < phases_.size()) timedEnds_.push_back(phases_.size());
   auto timer = LevelTimer::create(core_, static_cast<std::uint32_t>(timedEnds_.size()));
   if (!timer) return tl::unexpected(timer.error());
   timer_ = std::move(*timer);

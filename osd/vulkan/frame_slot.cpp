@@ -30,8 +30,9 @@ Result<void> FrameSlot::refresh() {
   const auto kernels = binding_->refreshKernels();
   if (!kernels) return tl::unexpected(kernels.error());
   if (*kernels == kernels_) return {};
+  if (auto recorded = record(); !recorded) return recorded;
   kernels_ = *kernels;
-  return record();
+  return {};
 }
 
 VulkanTargets FrameSlot::targets() const {

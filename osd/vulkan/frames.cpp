@@ -140,11 +140,25 @@ Result<VulkanTicket> VulkanFrames::submit(std::span<const float> control, const 
   return submit(sync);
 }
 
+Result<void> VulkanFrames::checkOwn(const VulkanTicket& ticket) const {
+  const bool own = ticket.semaphore == timeline_.semaphore() && ticket.value >= 1 && ticket.value <= timeline_.count();
+  if (own) return {};
+  return fail(ErrorCode::invalidOption, "a ticket is given for a frame that wasn't submitted here");
+}
+
+Result<void> VulkanFrames::wait(const VulkanTicket& ticket) const {
+  if (auto own = checkOwn(ticket); !own) return own;
+  return timeline_.wait(ticket.value);
+}
+
+Result<bool> VulkanFrames::finished(const VulkanTicket& ticket) const {
+  if (const auto own = checkOwn(ticket); !own) return tl::unexpected(own.error());
+  return timeline_.reached(ticket.value);
+}
+
 Result<const FrameSlot*> VulkanFrames::results(const VulkanTicket& ticket) const {
+  if (const auto own = checkOwn(ticket); !own) return tl::unexpected(own.error());
   const std::uint64_t submitted = timeline_.count();
-  if (ticket.semaphore != timeline_.semaphore() || ticket.value < 1 || ticket.value > submitted) {
-    return fail(ErrorCode::invalidOption, "results are wanted of a frame that wasn't submitted here");
-  }
   if (ticket.value + slots_.size() <= submitted) {
     return fail(ErrorCode::invalidOption,
                 fmt::format("the results of frame {} are overwritten: {} frames were submitted, and {} are kept; take "

@@ -65,10 +65,10 @@ class VulkanFrames {
   /// begin(), a copy of the points, submit(). Errors: also invalidOption for another number of numbers than begin()'s.
   Result<VulkanTicket> submit(std::span<const float> control, const VulkanFrameSync& sync = {});
 
-  /// Returns when the frame's results are there. Errors: deviceLost.
-  Result<void> wait(const VulkanTicket& ticket) const { return timeline_.wait(ticket.value); }
-  /// Are they there? Errors: deviceLost.
-  Result<bool> finished(const VulkanTicket& ticket) const { return timeline_.reached(ticket.value); }
+  /// Returns when the frame's results are there. Errors: deviceLost; invalidOption for a ticket of other frames.
+  Result<void> wait(const VulkanTicket& ticket) const;
+  /// Are they there? Errors: deviceLost; invalidOption for a ticket of other frames.
+  Result<bool> finished(const VulkanTicket& ticket) const;
   /// The buffers of one of the last framesInFlight frames. The host may read FrameSlot::numbers once wait() has
   /// returned, until the begin() framesInFlight frames later; the device what its semaphore says. Errors: invalidOption
   /// for a ticket whose results are overwritten, or one of other frames.
@@ -78,6 +78,7 @@ class VulkanFrames {
 
  private:
   VulkanFrames() = default;
+  Result<void> checkOwn(const VulkanTicket& ticket) const;
   FrameSlot& nextSlot() { return slots_[timeline_.count() % slots_.size()]; }
   Result<void> send(const VulkanFrameSync& sync);
 

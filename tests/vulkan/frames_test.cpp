@@ -101,9 +101,11 @@ TEST_F(FramesTest, KnowTheirOwnTicketsOnly) {
   auto evaluator = makeEvaluator();
   auto ring = frames(evaluator), other = frames(evaluator);
   const VulkanTicket foreign = submit(other, 1), own = submit(ring, 1);
-  EXPECT_FALSE(ring.results(foreign));
-  EXPECT_FALSE(ring.results({}));
-  EXPECT_FALSE(ring.results({own.semaphore, own.value + 1}));
+  for (const VulkanTicket& wrong : {foreign, VulkanTicket{}, VulkanTicket{own.semaphore, own.value + 1}}) {
+    EXPECT_FALSE(ring.results(wrong));
+    EXPECT_FALSE(ring.wait(wrong));
+    EXPECT_FALSE(ring.finished(wrong));
+  }
   EXPECT_TRUE(ring.results(own));
 }
 
