@@ -8,36 +8,12 @@
 #include "far/base/parallel.h"
 #include "osd/cpu_pieces.h"
 #include "osd/simd/tiles.h"
+#include "osd/tile_checks.h"
 #include "osd/tile_kernels.h"
 
 namespace honeycomb::Osd {
 
 namespace {
-
-Result<void> checkLevel(const Far::TileTable& tiles, std::int32_t level) {
-  if (level < 1 || level > tiles.lastLevel) {
-    return fail(ErrorCode::invalidOption, fmt::format("level {} is out of range; use 1 to {}", level, tiles.lastLevel));
-  }
-  if (tiles.order == Far::TileOrder::tiles && level != tiles.lastLevel) {
-    return fail(
-        ErrorCode::invalidOption,
-        fmt::format("tiles in their own order are of level {} alone; level {} was asked for", tiles.lastLevel, level));
-  }
-  return {};
-}
-
-Result<void> checkChoice(const Far::TileTable& tiles, const std::optional<std::span<const std::int32_t>>& only) {
-  if (!only) return {};
-  std::int64_t before = -1;
-  for (const std::int32_t tile : *only) {
-    if (tile <= before || tile >= std::ssize(tiles.tiles)) {
-      return fail(ErrorCode::invalidOption, fmt::format("tile {} is chosen behind {}; give ascending numbers below {}",
-                                                        tile, before, tiles.tiles.size()));
-    }
-    before = tile;
-  }
-  return {};
-}
 
 constexpr std::size_t kLine = 64 / sizeof(float);
 
@@ -79,8 +55,8 @@ TileEvaluator::Memory<double>& TileEvaluator::memory<double>() {
 template <class Real>
 Result<void> TileEvaluator::check(const Far::TileTable& tiles, std::int32_t level, const Points<Real>& control,
                                   const PointsOut<Real>& refined, const TileRequest<Real>& request) const {
-  if (auto ok = checkLevel(tiles, level); !ok) return ok;
-  if (auto ok = checkChoice(tiles, request.only); !ok) return ok;
+  if (auto ok = checkTileLevel(tiles, level); !ok) return ok;
+  if (auto ok = checkTileChoice(tiles, request.only); !ok) return ok;
   const std::int32_t count = tiles.pointCount[at(level)];
   if (auto ok = checkPoints(control, tiles.pointCount.front(), refined, count); !ok) return ok;
   if (request.normals.data.empty()) return {};

@@ -60,9 +60,11 @@ std::span<const EvaluatorEntry> evaluators() {
       EvaluatorEntry{"csr", Agreement::rounding, Threads::all, prepareCsr},
 #ifdef HONEYCOMB_BENCH_VULKAN
       EvaluatorEntry{"vulkan", Agreement::bits, Threads::device, prepareVulkan},
+      EvaluatorEntry{"vulkan-tiled", Agreement::bits, Threads::device, prepareVulkanTiled},
       EvaluatorEntry{"vulkan-csr", Agreement::rounding, Threads::device, prepareVulkanCsr},
 #else
       EvaluatorEntry{"vulkan", Agreement::bits, Threads::device, absent<kNoVulkan>},
+      EvaluatorEntry{"vulkan-tiled", Agreement::bits, Threads::device, absent<kNoVulkan>},
       EvaluatorEntry{"vulkan-csr", Agreement::rounding, Threads::device, absent<kNoVulkan>},
 #endif
 #ifdef HONEYCOMB_BENCH_OPENSUBDIV

@@ -109,6 +109,7 @@ Result<Prepared> prepareTbbTiled(const Problem& problem);
 Result<Prepared> prepareFastNormals(const Problem& problem, Osd::CpuEvaluator::Threads threads);
 Result<Prepared> prepareCsr(const Problem& problem);
 Result<Prepared> prepareVulkan(const Problem& problem);
+Result<Prepared> prepareVulkanTiled(const Problem& problem);
 Result<Prepared> prepareVulkanCsr(const Problem& problem);
 Result<Prepared> prepareOpenSubdivCpu(const Problem& problem);
 Result<Prepared> prepareOpenSubdivOmp(const Problem& problem);

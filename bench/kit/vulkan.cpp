@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <optional>
 
@@ -49,11 +48,18 @@ Result<Osd::VulkanTable> uploadLevels(Osd::VulkanEvaluator& evaluator, const Pro
   return evaluator.upload(problem.refinement, optionsOf(problem));
 }
 
+Result<Osd::VulkanTable> uploadTiles(Osd::VulkanEvaluator& evaluator, const Problem& problem) {
+  Result<Far::TileTable> tiles = Far::buildTileTable(problem.refinement, {.scratchPoints = evaluator.tilePoints()});
+  if (!tiles) return tl::unexpected(tiles.error());
+  Osd::VulkanTileOptions options;
+  options.control = options.refined = problem.layout.desc;
+  return evaluator.upload(problem.refinement, *tiles, options);
+}
+
 Result<Osd::VulkanTable> uploadFlat(Osd::VulkanEvaluator& evaluator, const Problem& problem) {
   const Result<const Far::StencilTable*> table = problem.flat.get();
   if (!table) return tl::unexpected(table.error());
-  const Far::LevelTable level = (*table)->asLevelTable();
-  return evaluator.upload(std::array{&level}, nullptr, optionsOf(problem));
+  return evaluator.upload(**table, Far::StencilWeights::position, optionsOf(problem));
 }
 
 /// The control points are written to the device's memory in every frame, as an animation does; results stay there.
@@ -90,6 +96,11 @@ Result<Prepared> prepare(const Problem& problem, Upload upload) {
 Result<Prepared> prepareVulkan(const Problem& problem) {
   if (problem.normals == Normals::fast) return tl::unexpected(withoutNormals(problem).error());
   return prepare(problem, uploadLevels);
+}
+
+Result<Prepared> prepareVulkanTiled(const Problem& problem) {
+  if (auto ok = withoutNormals(problem); !ok) return tl::unexpected(ok.error());
+  return prepare(problem, uploadTiles);
 }
 
 Result<Prepared> prepareVulkanCsr(const Problem& problem) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "osd/vulkan/errors.h"
+#include "osd/vulkan/texels.h"
 
 namespace honeycomb::Osd {
 
@@ -19,6 +20,7 @@ Result<VulkanBinding> VulkanBinding::create(const std::shared_ptr<const VulkanCo
   binding.table_ = table;
   if (const auto resolved = binding.resolve(targets); !resolved) return tl::unexpected(resolved.error());
   if (const auto made = binding.makeScratch(options.scratchOf); !made) return tl::unexpected(made.error());
+  if (const auto made = binding.viewScratch(); !made) return tl::unexpected(made.error());
   if (const auto made = binding.makeSets(); !made) return tl::unexpected(made.error());
   if (options.timing) {
     if (const auto made = binding.makeTimer(); !made) return tl::unexpected(made.error());
@@ -78,12 +80,24 @@ Result<void> VulkanBinding::makeScratch(const VulkanBinding* shared) {
   for (std::size_t i = 0; i < kScratchBuffers; ++i) {
     const std::uint64_t needed = table_.bytesOf(static_cast<PointBuffer>(kCallerBuffers + i));
     if (needed == 0) continue;
-    auto buffer = VulkanBuffer::create(core_, needed, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, MemoryUse::device);
+    constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
+    auto buffer = VulkanBuffer::create(core_, needed, kUsage, MemoryUse::device);
     if (!buffer) return tl::unexpected(buffer.error());
     (*made)[i] = std::move(*buffer);
     ranges_[kCallerBuffers + i] = (*made)[i].range();
   }
   scratch_ = std::move(made);
+  return {};
+}
+
+// The points of tiles, as texels.
+Result<void> VulkanBinding::viewScratch() {
+  const std::uint64_t texels = table_.bytesOf(PointBuffer::tileScratch) / kTexelBytes;
+  if (texels == 0) return {};
+  const VulkanBuffer& tiles = (*scratch_)[static_cast<std::size_t>(PointBuffer::tileScratch) - kCallerBuffers];
+  auto view = viewTexels(*core_, tiles, VK_FORMAT_R32G32B32A32_SFLOAT, texels);
+  if (!view) return tl::unexpected(view.error());
+  scratchTexels_ = std::move(*view);
   return {};
 }
 
@@ -112,12 +126,15 @@ Result<void> VulkanBinding::makeSets() {
 }
 
 Result<void> VulkanBinding::makePool(std::uint32_t sets) {
-  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, std::max(1U, sets) * (kSourcePages + kSlotCount)};
+  const std::uint32_t count = std::max(1U, sets);
+  const std::array sizes{VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, count * (kSourcePages + kSlotCount)},
+                         VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, count},
+                         VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER, count}};
   VkDescriptorPoolCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
-  info.maxSets = std::max(1U, sets);
-  info.poolSizeCount = 1;
-  info.pPoolSizes = &size;
+  info.maxSets = count;
+  info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
+  info.pPoolSizes = sizes.data();
   auto pool = core_->make(core_->vk().vkCreateDescriptorPool, core_->vk().vkDestroyDescriptorPool, info,
                           "create a descriptor pool");
   if (!pool) return tl::unexpected(pool.error());
@@ -146,20 +163,23 @@ VkDescriptorBufferInfo VulkanBinding::bufferOf(const TableStage& stage, const Bo
   PointBuffer points = PointBuffer::partials;
   if (range.role == Role::target) points = stage.target;
   if (range.role == Role::normals) points = stage.normals;
+  if (range.role == Role::source) points = stage.source;
+  if (range.role == Role::sharedPoints) points = PointBuffer::sharedPoints;
+  if (range.role == Role::tileScratch) points = PointBuffer::tileScratch;
   const VulkanRange& buffer = ranges_[static_cast<std::size_t>(points)];
   return {buffer.buffer, buffer.offset + range.offset, range.size};
 }
 
-VkDescriptorBufferInfo VulkanBinding::sourcePage(const TableStage& stage, std::uint32_t page) const {
-  const VulkanRange& buffer = ranges_[static_cast<std::size_t>(stage.source)];
+VkDescriptorBufferInfo VulkanBinding::pageOf(const TableStage& stage, std::uint32_t page) const {
+  const VulkanRange& buffer = ranges_[static_cast<std::size_t>(stage.paged)];
   const std::uint64_t begin = page * core_->limits.pageBytes;
-  if (begin >= stage.sourceBytes) return sourcePage(stage, 0);
-  return {buffer.buffer, buffer.offset + begin, std::min(core_->limits.pageBytes, stage.sourceBytes - begin)};
+  if (begin >= stage.pagedBytes) return pageOf(stage, 0);
+  return {buffer.buffer, buffer.offset + begin, std::min(core_->limits.pageBytes, stage.pagedBytes - begin)};
 }
 
 void VulkanBinding::writeSet(VkDescriptorSet set, const TableStage& stage, const BoundRanges& ranges) const {
   std::array<VkDescriptorBufferInfo, kSourcePages + kSlotCount> buffers{};
-  for (std::uint32_t page = 0; page < kSourcePages; ++page) buffers[page] = sourcePage(stage, page);
+  for (std::uint32_t page = 0; page < kSourcePages; ++page) buffers[page] = pageOf(stage, page);
   for (std::uint32_t slot = 0; slot < kSlotCount; ++slot) buffers[kSourcePages + slot] = bufferOf(stage, ranges[slot]);
   std::array<VkWriteDescriptorSet, 1 + kSlotCount> writes{};
   for (std::uint32_t i = 0; i < writes.size(); ++i) {
@@ -172,6 +192,22 @@ void VulkanBinding::writeSet(VkDescriptorSet set, const TableStage& stage, const
   }
   core_->vk().vkUpdateDescriptorSets(core_->device.device, static_cast<std::uint32_t>(writes.size()), writes.data(), 0,
                                      nullptr);
+  writeTexels(set, kTableTexels, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, stage.texels.get());
+  writeTexels(set, kScratchTexels, VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER, scratchTexels_.get());
+}
+
+// Kernels without texels don't name them, so that these descriptors need not be valid.
+void VulkanBinding::writeTexels(VkDescriptorSet set, std::uint32_t slot, VkDescriptorType type,
+                                VkBufferView view) const {
+  if (view == VK_NULL_HANDLE) return;
+  VkWriteDescriptorSet write{};
+  write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+  write.dstSet = set;
+  write.dstBinding = slot;
+  write.descriptorCount = 1;
+  write.descriptorType = type;
+  write.pTexelBufferView = &view;
+  core_->vk().vkUpdateDescriptorSets(core_->device.device, 1, &write, 0, nullptr);
 }
 
 // Makes what a phase wrote visible to the next, which may also overwrite what it read.
@@ -202,6 +238,8 @@ void VulkanBinding::record(VkCommandBuffer commands) const {
     }
     if (timer_ && timedEnds_[part] == p + 1) timer_->finish(commands, part++);
   }
+  // Chosen tiles may be none, and a part without dispatches.
+  for (; timer_ && part < timedEnds_.size(); ++part) timer_->finish(commands, part);
 }
 
 Result<void> VulkanBinding::makeTimer() {

@@ -31,7 +31,8 @@ struct VulkanBindingOptions {
 
 /// What a level, or the limits of the last one, took in a frame.
 struct LevelTime {
-  std::int32_t level = 0;  ///< counted from VulkanTableOptions::firstLevel
+  std::int32_t level = 0;  ///< counted from VulkanTableOptions::firstLevel; the levels of tiles are one part, under the
+                           ///< first of them
   bool limits = false;     ///< the limits of that level, beside the level itself
   double milliseconds = 0;
 };
@@ -68,12 +69,14 @@ class VulkanBinding {
 
   Result<void> resolve(const VulkanTargets& targets);
   Result<void> makeScratch(const VulkanBinding* shared);
+  Result<void> viewScratch();
   Result<void> makeSets();
   Result<void> makePool(std::uint32_t sets);
   Result<std::vector<VkDescriptorSet>> allocateSets(std::uint32_t count) const;
   void writeSet(VkDescriptorSet set, const TableStage& stage, const BoundRanges& ranges) const;
+  void writeTexels(VkDescriptorSet set, std::uint32_t slot, VkDescriptorType type, VkBufferView view) const;
   VkDescriptorBufferInfo bufferOf(const TableStage& stage, const BoundRange& range) const;
-  VkDescriptorBufferInfo sourcePage(const TableStage& stage, std::uint32_t page) const;
+  VkDescriptorBufferInfo pageOf(const TableStage& stage, std::uint32_t page) const;
   Result<void> makeTimer();
   void barrier(VkCommandBuffer commands) const;
 
@@ -82,6 +85,7 @@ class VulkanBinding {
   VulkanTable table_;
   std::shared_ptr<const std::array<VulkanBuffer, kScratchBuffers>> scratch_;
   std::array<VulkanRange, kCallerBuffers + kScratchBuffers> ranges_{};
+  DeviceHandle<VkBufferView> scratchTexels_;
   DeviceHandle<VkDescriptorPool> pool_;
   std::vector<std::vector<Command>> phases_;
   std::vector<std::size_t> timedEnds_;  ///< phases up to the end of each part that is timed

@@ -24,6 +24,10 @@ Result<VulkanLimits> limitsOf(const VkPhysicalDeviceLimits& device, const Vulkan
   limits.groupsInRow = device.maxComputeWorkGroupCount[0];
   if (options.maxWorkgroupsInRow != 0) limits.groupsInRow = std::min(limits.groupsInRow, options.maxWorkgroupsInRow);
   limits.groupRows = device.maxComputeWorkGroupCount[1];
+  limits.texels = device.maxTexelBufferElements;
+  if (options.maxTexels != 0) limits.texels = std::min(limits.texels, options.maxTexels);
+  limits.sharedBytes = device.maxComputeSharedMemorySize;
+  limits.groupSize = std::min(device.maxComputeWorkGroupInvocations, device.maxComputeWorkGroupSize[0]);
   if (limits.pageBytes < 4 * limits.alignment) {
     return fail(
         ErrorCode::invalidOption,

@@ -28,6 +28,9 @@ struct VulkanEvaluatorOptions {
   std::filesystem::path pipelineCache{};
   /// A folder of kernels that replace the built-in ones whenever they change, see KernelFiles; empty: none.
   std::filesystem::path kernelFolder{};
+  /// Texels of a tile table that may be bound at once, lowered to maxTexelBufferElements. 0: all that the device
+  /// allows.
+  std::uint32_t maxTexels = 0;
   /// Treat no memory as shared between host and device, as on a discrete GPU: everything goes through staging.
   bool stageEverything = false;
   /// Leave out the barriers between levels: results are wrong, and synchronization validation must say so.
@@ -40,6 +43,9 @@ struct VulkanLimits {
   std::uint64_t alignment = 0;    ///< of the offset of a bound range
   std::uint32_t groupsInRow = 0;  ///< workgroups in x
   std::uint32_t groupRows = 0;    ///< workgroups in y
+  std::uint32_t texels = 0;       ///< of a texel buffer
+  std::uint32_t sharedBytes = 0;  ///< of shared memory of a workgroup
+  std::uint32_t groupSize = 0;    ///< invocations of a workgroup in x
   std::uint64_t pageNumbers() const { return pageBytes / sizeof(float); }
 };
 

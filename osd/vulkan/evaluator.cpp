@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
 #include "osd/vulkan/guard.h"
+#include "osd/vulkan/texels.h"
 
 namespace honeycomb::Osd {
 
@@ -43,6 +46,29 @@ Result<VulkanTable> VulkanEvaluator::upload(std::span<const Far::LevelTable* con
   auto table =
       guarded([&]() -> Result<VulkanTable> { return buildTable(core_, *pipelines_, levels, limits, options); });
   // A cache that can't be written costs time at the next start, and nothing else.
+  if (table) static_cast<void>(savePipelines());
+  return table;
+}
+
+Result<VulkanTable> VulkanEvaluator::upload(const Far::StencilTable& table, Far::StencilWeights which,
+                                            const VulkanTableOptions& options) {
+  return guarded([&]() -> Result<VulkanTable> {
+    const Far::LevelTable rows = table.asLevelTable(which);
+    return upload(std::array{&rows}, nullptr, options);
+  });
+}
+
+std::int32_t VulkanEvaluator::tilePoints(TileScratch scratch) const {
+  const bool cpu = core_->type == VK_PHYSICAL_DEVICE_TYPE_CPU;
+  if (scratch == TileScratch::buffer || (scratch == TileScratch::automatic && cpu)) return 16384;
+  const std::int64_t shared = core_->limits.sharedBytes / static_cast<std::int64_t>(kTexelBytes);
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(shared * 3 / 4, 64, Far::kMostTilePoints));
+}
+
+Result<VulkanTable> VulkanEvaluator::upload(const Far::Refinement& refinement, const Far::TileTable& tiles,
+                                            const VulkanTileOptions& options) {
+  auto table =
+      guarded([&]() -> Result<VulkanTable> { return buildTable(core_, *pipelines_, refinement, tiles, options); });
   if (table) static_cast<void>(savePipelines());
   return table;
 }

@@ -31,6 +31,7 @@
   X(vkCmdResetQueryPool)                     \
   X(vkCmdWriteTimestamp)                     \
   X(vkCreateBuffer)                          \
+  X(vkCreateBufferView)                      \
   X(vkCreateCommandPool)                     \
   X(vkCreateComputePipelines)                \
   X(vkCreateDescriptorPool)                  \
@@ -42,6 +43,7 @@
   X(vkCreateSemaphore)                       \
   X(vkCreateShaderModule)                    \
   X(vkDestroyBuffer)                         \
+  X(vkDestroyBufferView)                     \
   X(vkDestroyCommandPool)                    \
   X(vkDestroyDescriptorPool)                 \
   X(vkDestroyDescriptorSetLayout)            \

@@ -30,13 +30,17 @@ const char* fileName(Kernel kernel) {
       return "loose.comp.spv";
     case Kernel::limits:
       return "limits.comp.spv";
+    case Kernel::tileBuffer:
+      return "tile_buffer.comp.spv";
+    case Kernel::tileShared:
+      return "tile_shared.comp.spv";
     default:
       return nullptr;
   }
 }
 
-/// The header and whole instructions to the end of a function, with which a module ends: a compiler may still be writing
-/// the file.
+/// The header and whole instructions to the end of a function, with which a module ends: a compiler may still be
+/// writing the file.
 bool wholeSpirv(std::span<const std::uint32_t> code) {
   constexpr std::uint32_t kMagic = 0x07230203;
   constexpr std::uint32_t kFunctionEnd = 1U << 16U | 56U;

@@ -15,11 +15,16 @@ enum class Kernel : std::uint32_t {
   dense,
   summed,
   loose,
-  limits
+  limits,
+  tileBuffer,
+  tileShared
 };
-constexpr std::uint32_t kKernelCount = 8;
+constexpr std::uint32_t kKernelCount = 10;
 
-/// The specialisation constants of shaders/evaluate.glsl, by constant_id.
+/// How tiles write a point: see shaders/tile.glsl.
+enum class TilePlacing : std::uint32_t { numbers, whole, pairs };
+
+/// The specialisation constants of shaders/evaluate.glsl, then those of shaders/tile.glsl, by constant_id.
 struct Specialization {
   std::uint32_t workgroupSize = 64;
   std::uint32_t length = 3;
@@ -29,14 +34,19 @@ struct Specialization {
   std::uint32_t sides = 6;  ///< or the width of dense rows
   std::uint32_t pageShift = 0;
   std::uint32_t windowed = 0;
-  std::uint32_t form = 0;  ///< Far::CirculantForm
+  std::uint32_t form = 0;           ///< Far::CirculantForm
+  std::uint32_t scratchPoints = 1;  ///< in shared memory
+  std::uint32_t cases = 0;          ///< TileImage::cases
+  TilePlacing placing = TilePlacing::numbers;
+  std::uint32_t shares = 0;  ///< tiles import shared points
   /// All of them in order, to be compared.
   auto constants() const {
-    return std::tie(workgroupSize, length, sourceStride, targetStride, normalStride, sides, pageShift, windowed, form);
+    return std::tie(workgroupSize, length, sourceStride, targetStride, normalStride, sides, pageShift, windowed, form,
+                    scratchPoints, cases, placing, shares);
   }
   bool operator<(const Specialization& other) const { return constants() < other.constants(); }
 };
-constexpr std::uint32_t kSpecializationCount = 9;
+constexpr std::uint32_t kSpecializationCount = 13;
 static_assert(sizeof(Specialization) == kSpecializationCount * sizeof(std::uint32_t));
 
 /// Up to this many sides the loops of a kernel are unrolled and a circulant's weights are push constants. Unrolling
@@ -68,8 +78,12 @@ static_assert(sizeof(PushConstants) <= 128, "no more push constants are sure to 
 enum class Slot : std::uint32_t { indices, weights, target, second, records, tasks };
 constexpr std::uint32_t kSlotCount = 6;
 
+/// The bindings behind the slots, which only tile kernels have: the table and the tiles' points as texels.
+constexpr std::uint32_t kTableTexels = 1 + kSlotCount;
+constexpr std::uint32_t kScratchTexels = 2 + kSlotCount;
+
 /// The buffers a stage touches; a table's plan names them, a binding says which they are.
-enum class Role : std::uint32_t { table, target, normals, partials };
+enum class Role : std::uint32_t { table, target, normals, partials, source, sharedPoints, tileScratch };
 
 /// A range of a buffer, bytes; size 0: nothing.
 struct BoundRange {

@@ -13,6 +13,8 @@ namespace {
 #include "shaders/projected_blocks.comp.h"
 #include "shaders/projected_sums.comp.h"
 #include "shaders/summed.comp.h"
+#include "shaders/tile_buffer.comp.h"
+#include "shaders/tile_shared.comp.h"
 }  // namespace
 
 std::span<const std::uint32_t> kernelCode(Kernel kernel) {
@@ -31,6 +33,10 @@ std::span<const std::uint32_t> kernelCode(Kernel kernel) {
       return kSummedComp;
     case Kernel::loose:
       return kLooseComp;
+    case Kernel::tileBuffer:
+      return kTileBufferComp;
+    case Kernel::tileShared:
+      return kTileSharedComp;
     default:
       return kLimitsComp;
   }
@@ -52,13 +58,15 @@ Result<std::unique_ptr<VulkanPipelines>> VulkanPipelines::create(std::shared_ptr
 }
 
 Result<void> VulkanPipelines::makeSetLayout() {
-  std::array<VkDescriptorSetLayoutBinding, 1 + kSlotCount> bindings{};
+  std::array<VkDescriptorSetLayoutBinding, 3 + kSlotCount> bindings{};
   for (std::uint32_t i = 0; i < bindings.size(); ++i) {
     bindings[i].binding = i;
     bindings[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     bindings[i].descriptorCount = i == 0 ? kSourcePages : 1;
     bindings[i].stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
   }
+  bindings[kTableTexels].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
+  bindings[kScratchTexels].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER;
   VkDescriptorSetLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
   info.bindingCount = static_cast<std::uint32_t>(bindings.size());

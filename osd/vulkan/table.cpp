@@ -1,9 +1,9 @@
-#include "osd/vulkan/table.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
+
+#include "osd/vulkan/table_builder.h"
 
 namespace honeycomb::Osd {
 
@@ -39,6 +39,21 @@ Result<void> checkLevels(std::span<const LevelTable* const> levels) {
   return {};
 }
 
+Result<void> checkLimits(const VulkanTableOptions& options, const Far::LimitTable* limits, const LevelTable& last) {
+  if (options.vertexLimits.empty() && options.faceLimits.empty()) return {};
+  if (limits == nullptr || limits->faces.sourceCount == 0) {
+    return fail(ErrorCode::invalidOption,
+                "limits are wanted of a refinement without: set RefineOptions::limits and evaluate to the last level");
+  }
+  if (limits->faces.sourceCount != last.targetCount) {
+    return fail(ErrorCode::invalidOption, fmt::format("the limits read {} points, the last level has {}",
+                                                      limits->faces.sourceCount, last.targetCount));
+  }
+  return {};
+}
+
+}  // namespace
+
 Result<void> checkDescriptors(const VulkanTableOptions& options) {
   const auto check = [](const BufferDescriptor& desc, const char* what) {
     return checkDescriptor(desc, desc.offset, 0, what);
@@ -64,57 +79,10 @@ Result<void> checkDescriptors(const VulkanTableOptions& options) {
   return {};
 }
 
-Result<void> checkLimits(const VulkanTableOptions& options, const Far::LimitTable* limits, const LevelTable& last) {
-  if (options.vertexLimits.empty() && options.faceLimits.empty()) return {};
-  if (limits == nullptr || limits->faces.sourceCount == 0) {
-    return fail(ErrorCode::invalidOption,
-                "limits are wanted of a refinement without: set RefineOptions::limits and evaluate to the last level");
-  }
-  if (limits->faces.sourceCount != last.targetCount) {
-    return fail(ErrorCode::invalidOption, fmt::format("the limits read {} points, the last level has {}",
-                                                      limits->faces.sourceCount, last.targetCount));
-  }
-  return {};
-}
-
-}  // namespace
-
-class TableBuilder {
- public:
-  TableBuilder(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,
-               const VulkanTableOptions& options)
-      : core_(core), pipelines_(pipelines) {
-    state_.options = options;
-  }
-
-  Result<VulkanTable> build(std::span<const LevelTable* const> levels, const Far::LimitTable* limits);
-
- private:
-  using Steps = std::vector<std::vector<TableDispatch>>;
-
-  Result<void> addLevels(std::span<const LevelTable* const> levels);
-  Result<void> addLimits(const Far::LimitTable& limits);
-  Result<Steps> level(const LevelTable& table, PointBuffer source, PointBuffer target);
-  Result<Steps> frames(const LimitRows& rows, const LimitLayouts& layouts, std::int64_t results, PointBuffer source,
-                       PointBuffer positions, PointBuffer normals);
-  Result<Steps> addStage(const StagePlan& plan, const TableImage& image, TableStage stage);
-  Result<void> appendFrames(std::vector<TableDispatch>& phase, const LimitRows& rows, const LimitLayouts& layouts,
-                            std::int64_t results, PointBuffer source);
-  PointLayout layoutOf(PointBuffer points, std::int64_t count) const;
-  void need(PointBuffer points, std::uint64_t bytes) {
-    auto& needed = state_.bytes[static_cast<std::size_t>(points)];
-    needed = std::max(needed, bytes);
-  }
-
-  std::shared_ptr<const VulkanCore> core_;
-  VulkanPipelines& pipelines_;
-  VulkanTable::State state_;
-};
-
 Result<VulkanTable> TableBuilder::build(std::span<const LevelTable* const> levels, const Far::LimitTable* limits) {
   state_.controlCount = levels.front()->sourceCount;
   state_.refinedCount = levels.back()->targetCount;
-  if (const auto added = addLevels(levels); !added) return tl::unexpected(added.error());
+  if (const auto added = addLevels(levels, PointBuffer::refined); !added) return tl::unexpected(added.error());
   if (!state_.options.vertexLimits.empty() || !state_.options.faceLimits.empty()) {
     if (const auto added = addLimits(*limits); !added) return tl::unexpected(added.error());
   }
@@ -131,14 +99,13 @@ PointLayout TableBuilder::layoutOf(PointBuffer points, std::int64_t count) const
   return {{.offset = 0, .length = length, .stride = length}, count};
 }
 
-Result<void> TableBuilder::addLevels(std::span<const LevelTable* const> levels) {
+Result<void> TableBuilder::addLevels(std::span<const LevelTable* const> levels, PointBuffer last) {
   PointBuffer source = PointBuffer::control;
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    const PointBuffer scratch = i % 2 == 0 ? PointBuffer::scratchEven : PointBuffer::scratchOdd;
-    const PointBuffer target = i + 1 == levels.size() ? PointBuffer::refined : scratch;
+    const PointBuffer target = i + 1 == levels.size() ? last : scratchOf(i);
     auto steps = level(*levels[i], source, target);
     if (!steps) return tl::unexpected(steps.error());
-    for (auto& step : *steps) state_.phases.push_back(std::move(step));
+    append(*steps);
     state_.levelEnds.push_back(state_.phases.size());
     source = target;
   }
@@ -188,14 +155,17 @@ Result<void> TableBuilder::appendFrames(std::vector<TableDispatch>& phase, const
 }
 
 Result<TableBuilder::Steps> TableBuilder::level(const LevelTable& table, PointBuffer source, PointBuffer target) {
+  return level(table, {source, layoutOf(source, table.sourceCount)}, {target, layoutOf(target, table.targetCount)});
+}
+
+Result<TableBuilder::Steps> TableBuilder::level(const LevelTable& table, const Place& source, const Place& target) {
   TableImage image(core_->limits.alignment);
-  auto plan =
-      planLevel(core_->limits, table, layoutOf(source, table.sourceCount), layoutOf(target, table.targetCount), image);
+  auto plan = planLevel(core_->limits, table, source.layout, target.layout, image);
   if (!plan) return tl::unexpected(plan.error());
-  need(target, plan->targetBytes);
+  need(target.points, plan->targetBytes);
   TableStage stage;
-  stage.source = source;
-  stage.target = target;
+  stage.source = source.points;
+  stage.target = target.points;
   return addStage(*plan, image, std::move(stage));
 }
 
@@ -217,7 +187,8 @@ Result<TableBuilder::Steps> TableBuilder::frames(const LimitRows& rows, const Li
 Result<TableBuilder::Steps> TableBuilder::addStage(const StagePlan& plan, const TableImage& image, TableStage stage) {
   need(stage.source, plan.sourceBytes);
   need(PointBuffer::partials, plan.partialBytes);
-  stage.sourceBytes = plan.sourceBytes;
+  stage.paged = stage.source;
+  stage.pagedBytes = plan.sourceBytes;
   constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
   auto buffer = VulkanBuffer::create(core_, image.byteCount(), kUsage, MemoryUse::device);
   if (!buffer) return tl::unexpected(buffer.error());

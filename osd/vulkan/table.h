@@ -8,10 +8,12 @@
 
 #include "far/base/result.h"
 #include "far/tables/refinement.h"
+#include "far/tables/tile_table.h"
 #include "osd/buffer_descriptor.h"
 #include "osd/vulkan/memory.h"
 #include "osd/vulkan/pipelines.h"
 #include "osd/vulkan/plan.h"
+#include "osd/vulkan/tile_options.h"
 
 namespace honeycomb::Osd {
 
@@ -35,10 +37,14 @@ enum class PointBuffer : std::uint32_t {
   faceNormals,
   scratchEven,
   scratchOdd,
-  partials
+  partials,
+  setEven,  ///< one of Far::SharedPoints, and the next
+  setOdd,
+  sharedPoints,  ///< of all of them, packed
+  tileScratch    ///< a slice of texels for each workgroup
 };
 constexpr std::size_t kCallerBuffers = 6;
-constexpr std::size_t kScratchBuffers = 3;
+constexpr std::size_t kScratchBuffers = 7;
 
 /// One table on the device.
 struct TableStage {
@@ -46,7 +52,9 @@ struct TableStage {
   PointBuffer source = PointBuffer::control;
   PointBuffer target = PointBuffer::refined;
   PointBuffer normals = PointBuffer::vertexNormals;
-  std::uint64_t sourceBytes = 0;
+  PointBuffer paged = PointBuffer::control;  ///< what is bound as pages: the source of levels, the target of tiles
+  std::uint64_t pagedBytes = 0;
+  DeviceHandle<VkBufferView> texels;  ///< of tiles: the buffer's
 };
 
 struct TableDispatch {
@@ -90,5 +98,10 @@ class VulkanTable {
 Result<VulkanTable> buildTable(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,
                                std::span<const Far::LevelTable* const> levels, const Far::LimitTable* limits,
                                const VulkanTableOptions& options);
+
+/// Uploads tiles, and the levels that are evaluated before them. Errors: as above, unsupported.
+Result<VulkanTable> buildTable(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,
+                               const Far::Refinement& refinement, const Far::TileTable& tiles,
+                               const VulkanTileOptions& options);
 
 }  // namespace honeycomb::Osd

@@ -128,8 +128,7 @@ TEST_F(RefinementTest, OfStencilTables) {
   ASSERT_TRUE(table) << table.error().message;
   auto evaluator = makeEvaluator();
   for (const auto which : {Far::StencilWeights::position, Far::StencilWeights::tangent2}) {
-    const Far::LevelTable rows = table->asLevelTable(which);
-    auto session = Osd::VulkanSession::create(evaluator, *evaluator.upload(std::vector{&rows}, nullptr));
+    auto session = Osd::VulkanSession::create(evaluator, *evaluator.upload(*table, which));
     ASSERT_TRUE(session) << session.error().message;
     std::vector<float> expected(session->refined().size()), out(expected);
     ASSERT_TRUE(session->refine(control, out));

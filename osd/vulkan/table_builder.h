@@ -1,0 +1,71 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "osd/vulkan/table.h"
+#include "osd/vulkan/tile_image.h"
+
+namespace honeycomb::Osd {
+
+/// Are the layouts sound, with points of one length? Errors: invalidOption.
+Result<void> checkDescriptors(const VulkanTableOptions& options);
+
+/// Puts a VulkanTable together: levels and limits in table.cpp, tiles in tile_builder.cpp.
+class TableBuilder {
+ public:
+  TableBuilder(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,
+               const VulkanTableOptions& options)
+      : core_(core), pipelines_(pipelines) {
+    state_.options = options;
+  }
+
+  Result<VulkanTable> build(std::span<const Far::LevelTable* const> levels, const Far::LimitTable* limits);
+  Result<VulkanTable> build(const Far::Refinement& refinement, const Far::TileTable& tiles,
+                            const VulkanTileOptions& options);
+
+ private:
+  using Steps = std::vector<std::vector<TableDispatch>>;
+  /// Points of a buffer.
+  struct Place {
+    PointBuffer points;
+    PointLayout layout;
+  };
+
+  Result<void> addLevels(std::span<const Far::LevelTable* const> levels, PointBuffer last);
+  Result<void> addLimits(const Far::LimitTable& limits);
+  Result<Steps> level(const Far::LevelTable& table, PointBuffer source, PointBuffer target);
+  Result<Steps> level(const Far::LevelTable& table, const Place& source, const Place& target);
+  Result<Steps> frames(const Far::LimitRows& rows, const LimitLayouts& layouts, std::int64_t results,
+                       PointBuffer source, PointBuffer positions, PointBuffer normals);
+  Result<Steps> addStage(const StagePlan& plan, const TableImage& image, TableStage stage);
+  Result<void> appendFrames(std::vector<TableDispatch>& phase, const Far::LimitRows& rows, const LimitLayouts& layouts,
+                            std::int64_t results, PointBuffer source);
+  Result<Place> addRoot(const Far::Refinement& refinement, const Far::TileTable& tiles, std::int32_t level);
+  Result<void> addShared(const Far::TileTable& tiles, std::int32_t level, Place source);
+  Result<void> addTiles(const Far::TileTable& tiles, std::int32_t level, const Place& root,
+                        const VulkanTileOptions& options);
+  Result<Dispatch> tileDispatch(const Far::TileTable& tiles, const StagePlanner& stage, TileScratch scratch) const;
+  Result<void> addTileStage(const TileImage& image, const Place& root, Dispatch dispatch);
+  void setGroups(Dispatch& dispatch);
+  void setPiece(Dispatch& dispatch, const Dispatch& whole, const TileImage& image, std::int32_t first) const;
+  static PointBuffer scratchOf(std::size_t level) {
+    return level % 2 == 0 ? PointBuffer::scratchEven : PointBuffer::scratchOdd;
+  }
+  Place placeOf(PointBuffer points, std::int64_t count) const { return {points, layoutOf(points, count)}; }
+  void append(Steps& steps);
+  PointLayout layoutOf(PointBuffer points, std::int64_t count) const;
+  void need(PointBuffer points, std::uint64_t bytes) {
+    auto& needed = state_.bytes[static_cast<std::size_t>(points)];
+    needed = std::max(needed, bytes);
+  }
+
+  std::shared_ptr<const VulkanCore> core_;
+  VulkanPipelines& pipelines_;
+  VulkanTable::State state_;
+};
+
+}  // namespace honeycomb::Osd

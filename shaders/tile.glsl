@@ -1,0 +1,208 @@
+// One workgroup a tile, tile after tile: the points it imports, then its steps, which read its own points and write
+// these or the target. Only the steps of a level wait for those of the level before; tiles wait for nobody.
+// osd/vulkan/tile_image.h draws the table.
+//
+// What holds for all invocations of a workgroup is not known to be so by lavapipe, which runs both sides of every branch
+// and the body of a loop once more than needed where the loop is left at its top: hence a branch of its own for each
+// kind of step a table has, and loops that are left at their bottom.
+//
+// Of the push constants: count is tiles, firstTask the texel of the first; sides is the numbers from a shared point to
+// the next, firstRecord the numbers before the first; firstOutput is the points of a slice of the scratch.
+
+layout(constant_id = 10) const uint kCases = 0xffffffffu;  // bit k: the table has steps of case k
+layout(constant_id = 11) const uint kPlacing = 0u;         // how points are written: one of the three below
+layout(constant_id = 12) const bool kShares = true;        // tiles import shared points
+
+// Osd::TilePlacing. Stores are what lavapipe is slowest at, and cost by their number.
+const uint kNumbers = 0u;  // number by number
+const uint kWhole = 1u;    // a point is one aligned vec4
+const uint kPairs = 2u;    // two packed points of a face are three aligned vec2
+
+layout(set = 0, binding = 0, std430) writeonly buffer Target { float values[]; } target[8];
+layout(set = 0, binding = 0, std430) writeonly buffer WholeTarget { vec4 values[]; } wholeTarget[8];
+layout(set = 0, binding = 0, std430) writeonly buffer PairedTarget { vec2 values[]; } pairedTarget[8];
+layout(set = 0, binding = 1, std430) restrict readonly buffer Root { float root[]; };
+layout(set = 0, binding = 2, std430) restrict readonly buffer Shared { float sharedNumbers[]; };
+layout(set = 0, binding = 7) uniform usamplerBuffer table;
+
+const uint kSharedImport = 0x80000000u;
+
+// Cases, as osd/vulkan/tile_image.cpp numbers them: three for each shape of circulants, two for rows.
+const uint kKept = 0u;     // no stage is wanted
+const uint kBoth = 1u;     // the last stage is, others come before it
+const uint kWritten = 2u;  // the only stage is
+const uint kAnySides = 24u;
+const uint kFirstDense = 25u;
+const uint kFirstLoose = 27u;
+
+struct Step {
+  uint which;
+  uint count;        // faces or rows
+  uint firstRecord;  // texel
+  uint width;        // sides, or entries of a dense row
+  uint firstStage;   // texel
+  uint kept;         // stages whose points are kept
+  uint begins;       // 1: reads what the steps before wrote
+  uint written;      // 1: behind these stages is one that is written
+};
+
+Step stepAt(uint texel) {
+  const uvec4 a = texelFetch(table, int(texel));
+  const uvec4 b = texelFetch(table, int(texel) + 1);
+  return Step(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w);
+}
+
+vec4 weightsAt(uint texel) { return uintBitsToFloat(texelFetch(table, int(texel))); }
+float weightAt(uint texel, uint k) { return weightsAt(texel + k / 4u)[k % 4u]; }
+
+// Two numbers of points a word.
+uint halfOf(uint word, uint k) { return (k & 1u) == 0u ? word & 0xffffu : word >> 16; }
+
+void writeNumber(uint n, float value) {
+  if (kPageShift == 0u) {
+    target[0].values[n] = value;
+    return;
+  }
+  const uint i = n & ((1u << kPageShift) - 1u);
+  // Pages are picked by constants, as in source.glsl.
+  switch (n >> kPageShift) {
+    case 0u: target[0].values[i] = value; break;
+    case 1u: target[1].values[i] = value; break;
+    case 2u: target[2].values[i] = value; break;
+    case 3u: target[3].values[i] = value; break;
+    case 4u: target[4].values[i] = value; break;
+    case 5u: target[5].values[i] = value; break;
+    case 6u: target[6].values[i] = value; break;
+    default: target[7].values[i] = value;
+  }
+}
+
+void writePoint(uint point, vec4 p) {
+  const uint n = push.targetOffset + point * kTargetStride;
+  if (kPlacing == kWhole) {
+    wholeTarget[0].values[n / 4u] = p;
+    return;
+  }
+  writeNumber(n, p.x);
+  if (kLength > 1u) writeNumber(n + 1u, p.y);
+  if (kLength > 2u) writeNumber(n + 2u, p.z);
+  if (kLength > 3u) writeNumber(n + 3u, p.w);
+}
+
+// The points of a face, the first of which is even.
+void writePair(uint point, vec4 p, vec4 q) {
+  const uint n = (push.targetOffset + point * 3u) / 2u;
+  pairedTarget[0].values[n] = p.xy;
+  pairedTarget[0].values[n + 1u] = vec2(p.z, q.x);
+  pairedTarget[0].values[n + 2u] = q.yz;
+}
+
+float importedNumber(uint import, uint c) {
+  if (!kShares || (import & kSharedImport) == 0u) return root[push.sourceOffset + import * kSourceStride + c];
+  return sharedNumbers[push.firstRecord + (import & ~kSharedImport) * push.sides + c];
+}
+
+void importPoints(uint first, uint count) {
+  uint i = gl_LocalInvocationID.x;
+  if (i >= count) return;
+  do {
+    const uint import = texelFetch(table, int(first + i / 4u))[i % 4u];
+    vec4 p = vec4(0.0);
+    p.x = importedNumber(import, 0u);
+    if (kLength > 1u) p.y = importedNumber(import, 1u);
+    if (kLength > 2u) p.z = importedNumber(import, 2u);
+    if (kLength > 3u) p.w = importedNumber(import, 3u);
+    keepPoint(i, p);
+    i += gl_WorkGroupSize.x;
+  } while (i < count);
+}
+
+#define SHAPE_DIRECT 0
+#define SHAPE_EVEN_ODD 1
+#define SHAPE_QUAD 2
+#define SHAPE_HEXAGON 3
+
+#define N 4
+#define SHAPE SHAPE_QUAD
+#define EVOLVE evolveQuad
+#define FACES facesQuad
+#include "tile_faces.glsl"
+#define N 6
+#define SHAPE SHAPE_HEXAGON
+#define EVOLVE evolveHexagon
+#define FACES facesHexagon
+#include "tile_faces.glsl"
+#define N 4
+#define SHAPE SHAPE_EVEN_ODD
+#define EVOLVE evolveEvenOdd4
+#define FACES facesEvenOdd4
+#include "tile_faces.glsl"
+#define N 6
+#define SHAPE SHAPE_EVEN_ODD
+#define EVOLVE evolveEvenOdd6
+#define FACES facesEvenOdd6
+#include "tile_faces.glsl"
+#define N 8
+#define SHAPE SHAPE_EVEN_ODD
+#define EVOLVE evolveEvenOdd8
+#define FACES facesEvenOdd8
+#include "tile_faces.glsl"
+#define N 3
+#define SHAPE SHAPE_DIRECT
+#define EVOLVE evolveDirect3
+#define FACES facesDirect3
+#include "tile_faces.glsl"
+#define N 5
+#define SHAPE SHAPE_DIRECT
+#define EVOLVE evolveDirect5
+#define FACES facesDirect5
+#include "tile_faces.glsl"
+#define N 7
+#define SHAPE SHAPE_DIRECT
+#define EVOLVE evolveDirect7
+#define FACES facesDirect7
+#include "tile_faces.glsl"
+
+#include "tile_any_faces.glsl"
+#include "tile_rows.glsl"
+
+bool isCase(Step step, uint which) { return ((kCases >> which) & 1u) != 0u && step.which == which; }
+
+#define RUN_FACES(shape, faces)                              \
+  if (isCase(step, 3u * shape + kKept)) faces(step, kKept);  \
+  if (isCase(step, 3u * shape + kBoth)) faces(step, kBoth);  \
+  if (isCase(step, 3u * shape + kWritten)) faces(step, kWritten)
+
+void runStep(Step step) {
+  RUN_FACES(0u, facesQuad);
+  RUN_FACES(1u, facesHexagon);
+  RUN_FACES(2u, facesEvenOdd4);
+  RUN_FACES(3u, facesEvenOdd6);
+  RUN_FACES(4u, facesEvenOdd8);
+  RUN_FACES(5u, facesDirect3);
+  RUN_FACES(6u, facesDirect5);
+  RUN_FACES(7u, facesDirect7);
+  if (isCase(step, kAnySides)) facesAnySides(step);
+  if (isCase(step, kFirstDense)) denseRows(step, false);
+  if (isCase(step, kFirstDense + 1u)) denseRows(step, true);
+  if (isCase(step, kFirstLoose)) looseRows(step, false);
+  if (isCase(step, kFirstLoose + 1u)) looseRows(step, true);
+}
+
+void main() {
+  uint t = gl_WorkGroupID.x;
+  do {
+    const uvec4 tile = texelFetch(table, int(push.firstTask + t));
+    importPoints(tile.x, tile.y);
+    uint s = 0u;
+    do {
+      const Step step = stepAt(tile.z + 2u * s);
+      if (step.begins != 0u) settle();
+      runStep(step);
+      ++s;
+    } while (s < tile.w);
+    // The next tile overwrites what this one reads.
+    settle();
+    t += gl_NumWorkGroups.x;
+  } while (t < push.count);
+}

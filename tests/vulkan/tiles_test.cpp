@@ -1,0 +1,269 @@
+// Tiles on the device: the same bits as the serial evaluator's, level after level.
+#include <gmock/gmock.h>
+
+#include "far/base/index.h"
+#include "far/schemes/akleman.h"
+#include "far/tables/tile_table.h"
+#include "fixture.h"
+#include "osd/cpu_evaluator.h"
+#include "osd/vulkan/session.h"
+#include "runs.h"
+#include "tests/support/creased.h"
+#include "tests/support/must.h"
+#include "tests/support/random_tables.h"
+#include "tests/support/refined.h"
+#include "tests/support/scheme_list.h"
+#include "tests/support/shapes.h"
+
+namespace honeycomb::VulkanTests {
+namespace {
+
+namespace Meshes = honeycomb::Test;
+using Meshes::must;
+using Meshes::schemeCase;
+using Osd::BufferDescriptor;
+using Osd::TileScratch;
+using testing::HasSubstr;
+
+/// Control and refined points: packed, padded, behind an offset, fewer and more values than a position has.
+struct Layouts {
+  BufferDescriptor control;
+  BufferDescriptor refined;
+};
+const std::vector<Layouts> kPositions = {{{0, 3, 3}, {0, 3, 3}}, {{0, 3, 3}, {2, 3, 4}}, {{0, 4, 4}, {0, 4, 4}}};
+const std::vector<Layouts> kPrimvars = {{{1, 2, 3}, {3, 2, 2}},
+                                        {{0, 1, 1}, {0, 1, 2}},
+                                        {{2, 4, 5}, {1, 4, 4}},
+                                        {{0, 3, 3}, {1, 3, 3}},
+                                        {{0, 7, 7}, {4, 7, 8}}};
+
+/// How a refinement is cut into tiles, and what is wanted of them.
+struct TileRun {
+  std::int32_t scratchPoints = 500;
+  TileScratch scratch = TileScratch::buffer;
+  Layouts layouts = kPositions[0];
+  std::int32_t level = 0;
+};
+
+Far::Refinement aklemanOf(const Meshes::PolyMesh& mesh, std::int32_t levels) {
+  return Meshes::refined(mesh, schemeCase(Meshes::NamedTension::paper).scheme, levels);
+}
+
+class TilesTest : public VulkanTest {
+ protected:
+  // One evaluator, whose pipelines serve many meshes.
+  void SetUp() override {
+    VulkanTest::SetUp();
+    if (context) evaluator.emplace(makeEvaluator());
+  }
+  void TearDown() override {
+    evaluator.reset();
+    VulkanTest::TearDown();
+  }
+
+  static std::vector<float> controlOf(const Far::Refinement& refinement, const Layouts& layouts, std::uint32_t frame) {
+    return Meshes::randomNumbers(layouts.control.extent(refinement.level(0).pointCount()), frame);
+  }
+  static std::vector<float> chained(const Far::Refinement& refinement, std::int32_t level, const Layouts& layouts,
+                                    const std::vector<float>& control) {
+    std::vector<float> points(at(layouts.refined.extent(refinement.level(level).pointCount())));
+    Osd::SerialEvaluator serial;
+    must(serial.evaluate<float>(refinement, level, {control, layouts.control}, {points, layouts.refined}));
+    return points;
+  }
+
+  testing::AssertionResult agree(const Far::Refinement& refinement, const TileRun& run) {
+    const Far::TileTable tiles = must(Far::buildTileTable(refinement, {.scratchPoints = run.scratchPoints}));
+    const std::int32_t level = run.level == 0 ? refinement.levelCount() : run.level;
+    auto table = evaluator->upload(
+        refinement, tiles,
+        {.control = run.layouts.control, .refined = run.layouts.refined, .level = run.level, .scratch = run.scratch});
+    if (!table) return testing::AssertionFailure() << table.error().message;
+    Osd::VulkanSession session = must(Osd::VulkanSession::create(*evaluator, std::move(*table)));
+    for (const std::uint32_t frame : {1U, 2U}) {
+      const std::vector<float> control = controlOf(refinement, run.layouts, frame);
+      std::ranges::copy(control, session.control().begin());
+      if (const auto ran = session.run(); !ran) return testing::AssertionFailure() << ran.error().message;
+      if (auto same = sameBits(chained(refinement, level, run.layouts, control), session.refined()); !same) {
+        return same << ", frame " << frame << ", level " << level;
+      }
+    }
+    return testing::AssertionSuccess();
+  }
+
+  void agreeUnderEveryScheme(const Meshes::PolyMesh& mesh, TileScratch scratch) {
+    std::size_t turn = 0;
+    for (const Meshes::ListedScheme& scheme : Meshes::listedSchemes()) {
+      SCOPED_TRACE(scheme.name);
+      const Far::Refinement refinement = Meshes::refinedBy(scheme, Meshes::toTopology(mesh), 3);
+      const TileRun run{.scratch = scratch, .layouts = kPositions[turn++ % kPositions.size()]};
+      ASSERT_TRUE(agree(refinement, run));
+    }
+  }
+
+  std::optional<Osd::VulkanEvaluator> evaluator;
+};
+
+TEST_F(TilesTest, OfClosedMeshesUnderEveryScheme) {
+  agreeUnderEveryScheme(Meshes::torus(9, 7), TileScratch::buffer);
+}
+
+TEST_F(TilesTest, OfOpenMeshesUnderEverySchemeAndBoundaryRule) {
+  agreeUnderEveryScheme(Meshes::grid(7, 8), TileScratch::buffer);
+}
+
+TEST_F(TilesTest, InSharedMemoryUnderEverySchemeAndBoundaryRule) {
+  agreeUnderEveryScheme(Meshes::grid(7, 8), TileScratch::shared);
+}
+
+TEST_F(TilesTest, OfPointsOfAnyLengthAndStride) {
+  const Far::Refinement refinement = aklemanOf(Meshes::grid(9, 8), 3);
+  for (const TileScratch scratch : {TileScratch::buffer, TileScratch::shared}) {
+    for (const auto* list : {&kPositions, &kPrimvars}) {
+      for (const Layouts& layouts : *list) {
+        EXPECT_TRUE(agree(refinement, {.scratch = scratch, .layouts = layouts}))
+            << "length " << layouts.refined.length << ", stride " << layouts.refined.stride;
+      }
+    }
+  }
+}
+
+TEST_F(TilesTest, OfRandomMeshes) {
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(testing::Message() << "random mesh " << seed);
+    const auto scheme = schemeCase(Meshes::NamedTension::paper).scheme;
+    EXPECT_TRUE(agree(Meshes::refined(Meshes::randomMesh(seed), scheme, 3), {.scratchPoints = 400}));
+  }
+}
+
+TEST_F(TilesTest, WithCreases) {
+  for (const Meshes::CreasedMesh& mesh : Meshes::creasedMeshes(1.5)) {
+    const Far::Refinement refinement = must(Far::refine(Meshes::creased(mesh.mesh, mesh.creases), *Far::akleman(), 3));
+    EXPECT_TRUE(agree(refinement, {.scratchPoints = 300})) << mesh.name;
+  }
+}
+
+TEST_F(TilesTest, OfFacesWithAnyNumberOfSides) {
+  for (const std::size_t sides : {3, 5, 7, 9, 10, 33, 64}) {
+    const Far::Refinement refinement = aklemanOf(Meshes::prism(sides), 2);
+    for (const TileScratch scratch : {TileScratch::buffer, TileScratch::shared}) {
+      EXPECT_TRUE(agree(refinement, {.scratch = scratch})) << sides << " sides";
+    }
+  }
+}
+
+TEST_F(TilesTest, OfWhatIsTooLargeForATile) {
+  for (const Meshes::PolyMesh& mesh : {Meshes::prism(1500), Meshes::wheel(700), Meshes::fan(300)}) {
+    const Far::Refinement refinement = aklemanOf(mesh, 3);
+    ASSERT_FALSE(must(Far::buildTileTable(refinement, {.scratchPoints = 1000})).shared.empty());
+    for (const std::int32_t level : {1, 2, 3}) {
+      EXPECT_TRUE(agree(refinement, {.scratchPoints = 1000, .level = level}));
+    }
+    EXPECT_TRUE(
+        agree(refinement, {.scratchPoints = 1000, .scratch = TileScratch::shared, .layouts = kPrimvars.back()}));
+  }
+}
+
+TEST_F(TilesTest, FromARootLevelBehindTheControlPoints) {
+  const Far::Refinement refinement = aklemanOf(Meshes::torus(8, 8), 5);
+  ASSERT_GT(must(Far::buildTileTable(refinement, {.scratchPoints = 300})).rootLevel, 1);
+  for (const std::int32_t level : {1, 3, 5}) EXPECT_TRUE(agree(refinement, {.scratchPoints = 300, .level = level}));
+}
+
+TEST_F(TilesTest, OfASingleFace) {
+  EXPECT_TRUE(agree(aklemanOf(Meshes::cube(), 1), {}));
+  EXPECT_TRUE(agree(aklemanOf(Meshes::grid(1, 1), 2), {}));
+}
+
+TEST_F(TilesTest, InTheirOwnOrder) {
+  const Far::Refinement refinement = aklemanOf(Meshes::torus(20, 15), 3);
+  const Far::TileTable tiles =
+      must(Far::buildTileTable(refinement, {.scratchPoints = 1500, .order = Far::TileOrder::tiles}));
+  Osd::VulkanSession session = must(Osd::VulkanSession::create(*evaluator, must(evaluator->upload(refinement, tiles))));
+  const std::vector<float> control = controlOf(refinement, kPositions[0], 1);
+  std::ranges::copy(control, session.control().begin());
+  must(session.run());
+  const std::vector<float> points = chained(refinement, 3, kPositions[0], control);
+  std::vector<float> expected;
+  for (const std::int32_t point : tiles.written) {
+    for (std::int32_t c = 0; c < 3; ++c) expected.push_back(points[at(3 * point + c)]);
+  }
+  EXPECT_TRUE(sameBits(expected, session.refined()));
+}
+
+TEST_F(TilesTest, ChosenOnesGiveTheirPointsAndTouchNoOthers) {
+  const Far::Refinement refinement = aklemanOf(Meshes::torus(30, 20), 3);
+  const Far::TileTable tiles = must(Far::buildTileTable(refinement, {.scratchPoints = 800}));
+  const std::vector<std::int32_t> wanted = {0, 17, 55};
+  const std::vector<std::int32_t> chosen = tiles.tilesOf(3, wanted);
+  Osd::VulkanSession session =
+      must(Osd::VulkanSession::create(*evaluator, must(evaluator->upload(refinement, tiles, {.only = chosen}))));
+  const std::vector<float> control = controlOf(refinement, kPositions[0], 1);
+  std::ranges::copy(control, session.control().begin());
+  must(session.run());
+  const std::vector<float> whole = chained(refinement, 3, kPositions[0], control);
+  const auto some = session.refined();
+  for (const std::int32_t point : wanted) EXPECT_EQ(some[at(3 * point)], whole[at(3 * point)]);
+  std::size_t touched = 0;
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    if (some[i] == 0.0F) continue;
+    ++touched;
+    ASSERT_EQ(some[i], whole[i]);
+  }
+  EXPECT_LT(touched, whole.size() / 3) << "a few tiles cost as much as all";
+}
+
+TEST_F(TilesTest, OverSeveralPagesTablesAndDispatches) {
+  const Far::Refinement refinement = aklemanOf(Meshes::torus(30, 20), 3);
+  const auto under = [&](const Osd::VulkanEvaluatorOptions& options, const Layouts& layouts) {
+    evaluator.emplace(makeEvaluator(options));
+    return agree(refinement, {.scratchPoints = 400, .layouts = layouts});
+  };
+  EXPECT_TRUE(under({.maxStorageBufferRange = 1 << 16}, kPositions[0])) << "a target of five pages";
+  EXPECT_TRUE(under({.maxStorageBufferRange = 1 << 16}, kPositions[2]));
+  EXPECT_TRUE(under({.maxTexels = 2000}, kPositions[0])) << "a table of several texel buffers";
+  EXPECT_TRUE(under({.maxWorkgroupsInRow = 2}, kPositions[0])) << "several tiles a workgroup";
+  EXPECT_TRUE(under({.stageEverything = true}, kPositions[0]));
+}
+
+TEST_F(TilesTest, RefuseWhatTheDeviceCannotBind) {
+  const Far::Refinement refinement = aklemanOf(Meshes::torus(30, 20), 3);
+  const Far::TileTable tiles = must(Far::buildTileTable(refinement, {.scratchPoints = 8192}));
+  const auto refusal = [&](const Osd::VulkanEvaluatorOptions& device, const Osd::VulkanTileOptions& options) {
+    auto refused = makeEvaluator(device).upload(refinement, tiles, options);
+    EXPECT_FALSE(refused);
+    return refused ? Error{} : refused.error();
+  };
+  const Error pages = refusal({.maxStorageBufferRange = 1 << 14}, {});
+  EXPECT_EQ(pages.code, ErrorCode::tooLarge);
+  EXPECT_THAT(pages.message, HasSubstr("refine level by level"));
+  EXPECT_EQ(refusal({.maxTexels = 100}, {}).code, ErrorCode::tooLarge);
+  const Error shared = refusal({}, {.scratch = TileScratch::shared});
+  EXPECT_EQ(shared.code, ErrorCode::tooLarge);
+  EXPECT_THAT(shared.message, HasSubstr("TileScratch::buffer"));
+}
+
+TEST_F(TilesTest, RefuseWhatTheTilesHaveNot) {
+  const Far::Refinement refinement = aklemanOf(Meshes::cube(), 2);
+  const Far::TileTable tiles = must(Far::buildTileTable(refinement));
+  const auto code = [&](const Osd::VulkanTileOptions& options) {
+    const auto refused = evaluator->upload(refinement, tiles, options);
+    EXPECT_FALSE(refused);
+    return refused ? ErrorCode{} : refused.error().code;
+  };
+  const std::vector<std::int32_t> twice = {0, 0};
+  EXPECT_EQ(code({.level = 3}), ErrorCode::invalidOption);
+  EXPECT_EQ(code({.level = -1}), ErrorCode::invalidOption);
+  EXPECT_EQ(code({.refined = {0, 4, 4}}), ErrorCode::invalidOption);
+  EXPECT_EQ(code({.only = twice}), ErrorCode::invalidOption);
+}
+
+TEST_F(TilesTest, OfTheSizeForTheDeviceFitWhereTheyAreMeantFor) {
+  const Far::Refinement refinement = aklemanOf(Meshes::torus(40, 40), 3);
+  for (const TileScratch scratch : {TileScratch::automatic, TileScratch::buffer, TileScratch::shared}) {
+    EXPECT_TRUE(agree(refinement, {.scratchPoints = evaluator->tilePoints(scratch), .scratch = scratch}));
+  }
+}
+
+}  // namespace
+}  // namespace honeycomb::VulkanTests
