@@ -31,6 +31,19 @@ void* operator new(std::size_t bytes) {
 void* operator new[](std::size_t bytes) {
   return allocateOrFail(bytes);
 }
+// The forms that don't throw as well: what the driver's compiler allocates by one it frees by another.
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  return std::malloc(bytes == 0 ? 1 : bytes);
+}
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
+  return std::malloc(bytes == 0 ? 1 : bytes);
+}
+void operator delete(void* data, const std::nothrow_t&) noexcept {
+  std::free(data);
+}
+void operator delete[](void* data, const std::nothrow_t&) noexcept {
+  std::free(data);
+}
 void operator delete(void* data) noexcept {
   std::free(data);
 }
