@@ -36,10 +36,12 @@ Far::LevelTable copies(std::span<const Far::SharedPoints::Run> runs, std::int32_
   table.targetCount = targetCount;
   table.weights = {1};
   table.weightsSingle = {1};
+  Array<std::int32_t> indices;
   for (const Far::SharedPoints::Run& run : runs) {
-    table.dense.push_back({1, run.count, static_cast<std::int32_t>(table.indices.size()), run.output, 0});
-    for (std::int32_t i = 0; i < run.count; ++i) table.indices.push_back(run.point + i);
+    table.dense.push_back({1, run.count, static_cast<std::int32_t>(indices.size()), run.output, 0});
+    for (std::int32_t i = 0; i < run.count; ++i) indices.push_back(run.point + i);
   }
+  table.indices = std::move(indices);
   return table;
 }
 
