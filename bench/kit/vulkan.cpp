@@ -53,7 +53,7 @@ Result<Osd::VulkanTable> uploadTiles(Osd::VulkanEvaluator& evaluator, const Prob
   if (!tiles) return tl::unexpected(tiles.error());
   Osd::VulkanTileOptions options;
   options.control = options.refined = problem.layout.desc;
-  return evaluator.upload(problem.refinement, *tiles, options);
+  return evaluator.uploadTiles(problem.refinement, *tiles, options);
 }
 
 Result<Osd::VulkanTable> uploadFlat(Osd::VulkanEvaluator& evaluator, const Problem& problem) {

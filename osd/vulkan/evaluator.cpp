@@ -65,8 +65,8 @@ std::int32_t VulkanEvaluator::tilePoints(TileScratch scratch) const {
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(shared * 3 / 4, 64, Far::kMostTilePoints));
 }
 
-Result<VulkanTable> VulkanEvaluator::upload(const Far::Refinement& refinement, const Far::TileTable& tiles,
-                                            const VulkanTileOptions& options) {
+Result<VulkanTable> VulkanEvaluator::uploadTiles(const Far::Refinement& refinement, const Far::TileTable& tiles,
+                                                 const VulkanTileOptions& options) {
   auto table =
       guarded([&]() -> Result<VulkanTable> { return buildTable(core_, *pipelines_, refinement, tiles, options); });
   if (table) static_cast<void>(savePipelines());

@@ -46,8 +46,8 @@ class VulkanEvaluator {
   /// tiles were built from. Errors: invalidOption (level, descriptors, tiles that there aren't), tooLarge (points at
   /// the root past a page, a wanted level past kSourcePages pages, tiles past shared memory that was asked for: the
   /// message says what helps; upload(refinement) has no such limits), outOfMemory, deviceLost.
-  Result<VulkanTable> upload(const Far::Refinement& refinement, const Far::TileTable& tiles,
-                             const VulkanTileOptions& options = {});
+  Result<VulkanTable> uploadTiles(const Far::Refinement& refinement, const Far::TileTable& tiles,
+                                  const VulkanTileOptions& options = {});
 
   /// Prepares a table to work on the caller's buffers: descriptor sets and scratch. Errors: see VulkanBinding.
   Result<VulkanBinding> bind(const VulkanTable& table, const VulkanTargets& targets,

@@ -58,7 +58,7 @@ TEST(DeviceValidation, NoKernelReadsOrWritesPastItsBuffers) {
 TEST(DeviceValidation, AReadPastTheControlPointsIsReported) {
   if (const std::string why = whyNot(); !why.empty()) GTEST_SKIP() << why;
   std::vector<Far::LevelTable> levels = everyBatch();
-  levels[0].indices[5] = levels[0].sourceCount;
+  levels[0].indices.edit()[5] = levels[0].sourceCount;
   EXPECT_THAT(messagesOf(levels), Contains(HasSubstr("out of bounds")));
 }
 

@@ -75,7 +75,7 @@ class TilesTest : public VulkanTest {
   testing::AssertionResult agree(const Far::Refinement& refinement, const TileRun& run) {
     const Far::TileTable tiles = must(Far::buildTileTable(refinement, {.scratchPoints = run.scratchPoints}));
     const std::int32_t level = run.level == 0 ? refinement.levelCount() : run.level;
-    auto table = evaluator->upload(
+    auto table = evaluator->uploadTiles(
         refinement, tiles,
         {.control = run.layouts.control, .refined = run.layouts.refined, .level = run.level, .scratch = run.scratch});
     if (!table) return testing::AssertionFailure() << table.error().message;
@@ -179,7 +179,8 @@ TEST_F(TilesTest, InTheirOwnOrder) {
   const Far::Refinement refinement = aklemanOf(Meshes::torus(20, 15), 3);
   const Far::TileTable tiles =
       must(Far::buildTileTable(refinement, {.scratchPoints = 1500, .order = Far::TileOrder::tiles}));
-  Osd::VulkanSession session = must(Osd::VulkanSession::create(*evaluator, must(evaluator->upload(refinement, tiles))));
+  Osd::VulkanSession session =
+      must(Osd::VulkanSession::create(*evaluator, must(evaluator->uploadTiles(refinement, tiles))));
   const std::vector<float> control = controlOf(refinement, kPositions[0], 1);
   std::ranges::copy(control, session.control().begin());
   must(session.run());
@@ -197,7 +198,7 @@ TEST_F(TilesTest, ChosenOnesGiveTheirPointsAndTouchNoOthers) {
   const std::vector<std::int32_t> wanted = {0, 17, 55};
   const std::vector<std::int32_t> chosen = tiles.tilesOf(3, wanted);
   Osd::VulkanSession session =
-      must(Osd::VulkanSession::create(*evaluator, must(evaluator->upload(refinement, tiles, {.only = chosen}))));
+      must(Osd::VulkanSession::create(*evaluator, must(evaluator->uploadTiles(refinement, tiles, {.only = chosen}))));
   const std::vector<float> control = controlOf(refinement, kPositions[0], 1);
   std::ranges::copy(control, session.control().begin());
   must(session.run());
@@ -211,6 +212,30 @@ TEST_F(TilesTest, ChosenOnesGiveTheirPointsAndTouchNoOthers) {
     ASSERT_EQ(some[i], whole[i]);
   }
   EXPECT_LT(touched, whole.size() / 3) << "a few tiles cost as much as all";
+}
+
+TEST_F(TilesTest, NoneChosenWriteNothing) {
+  const Far::Refinement refinement = aklemanOf(Meshes::cube(), 2);
+  const Far::TileTable tiles = must(Far::buildTileTable(refinement));
+  const std::vector<std::int32_t> none;
+  auto table = must(evaluator->uploadTiles(refinement, tiles, {.only = none}));
+  EXPECT_EQ(table.dispatchCount(), 0U);
+  Osd::VulkanSession session = must(Osd::VulkanSession::create(*evaluator, std::move(table), {.timing = true}));
+  must(session.run());
+  EXPECT_THAT(session.refined(), testing::Each(0.0F));
+  EXPECT_TRUE(session.binding().levelTimes());
+}
+
+TEST_F(TilesTest, AreTimedAsOneBehindTheLevelsBeforeThem) {
+  const Far::Refinement refinement = aklemanOf(Meshes::torus(8, 8), 5);
+  const Far::TileTable tiles = must(Far::buildTileTable(refinement, {.scratchPoints = 300}));
+  Osd::VulkanSession session =
+      must(Osd::VulkanSession::create(*evaluator, must(evaluator->uploadTiles(refinement, tiles)), {.timing = true}));
+  must(session.run());
+  const auto times = must(session.binding().levelTimes());
+  ASSERT_EQ(times.size(), at(tiles.rootLevel + 1));
+  EXPECT_EQ(times.back().level, tiles.rootLevel + 1);
+  EXPECT_FALSE(times.back().limits);
 }
 
 TEST_F(TilesTest, OverSeveralPagesTablesAndDispatches) {
@@ -230,7 +255,7 @@ TEST_F(TilesTest, RefuseWhatTheDeviceCannotBind) {
   const Far::Refinement refinement = aklemanOf(Meshes::torus(30, 20), 3);
   const Far::TileTable tiles = must(Far::buildTileTable(refinement, {.scratchPoints = 8192}));
   const auto refusal = [&](const Osd::VulkanEvaluatorOptions& device, const Osd::VulkanTileOptions& options) {
-    auto refused = makeEvaluator(device).upload(refinement, tiles, options);
+    auto refused = makeEvaluator(device).uploadTiles(refinement, tiles, options);
     EXPECT_FALSE(refused);
     return refused ? Error{} : refused.error();
   };
@@ -247,7 +272,7 @@ TEST_F(TilesTest, RefuseWhatTheTilesHaveNot) {
   const Far::Refinement refinement = aklemanOf(Meshes::cube(), 2);
   const Far::TileTable tiles = must(Far::buildTileTable(refinement));
   const auto code = [&](const Osd::VulkanTileOptions& options) {
-    const auto refused = evaluator->upload(refinement, tiles, options);
+    const auto refused = evaluator->uploadTiles(refinement, tiles, options);
     EXPECT_FALSE(refused);
     return refused ? ErrorCode{} : refused.error().code;
   };
