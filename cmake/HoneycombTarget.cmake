@@ -42,8 +42,8 @@ function(honeycomb_program name)
   target_link_libraries(${name} PRIVATE honeycomb_compile honeycomb_sanitize honeycomb_warnings)
 endfunction()
 
-# honeycomb_compile_apart(TARGET regex): sources of the target, called in its folder, that the sanitizer presets compile one by
-# one too. These presets compile several sources at a time (CMAKE_UNITY_BUILD), which costs 40 % less: the names
+# honeycomb_compile_apart(TARGET regex): sources of the target, called in its folder, that every preset compiles one by one.
+# All but debug compile several sources at a time (CMAKE_UNITY_BUILD), which costs up to 40 % less: the names
 # in the anonymous namespaces of a target must differ. What stays apart: files that implement one pattern under the same
 # names, and those that Highway compiles once for each set of instructions.
 function(honeycomb_compile_apart target regex)

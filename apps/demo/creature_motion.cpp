@@ -11,7 +11,6 @@ namespace {
 using glm::dvec3;
 
 constexpr double kTurn = 6.283185307179586;
-constexpr double kDegree = kTurn / 360.0;
 constexpr double kStrides = 2.0;       // per loop
 constexpr double kStanceShare = 0.62;  // of a stride that a foot is on the ground
 constexpr double kStep = 0.27;         // half the way of a foot along x

@@ -5,6 +5,9 @@
 
 namespace honeycomb::Demo {
 
+/// In radians.
+inline constexpr double kDegree = 0.017453292519943295;
+
 /// A place and three axes that vertices are bound to. The axes carry scale, and on the creature's left side they are
 /// mirrored, so that both sides are bound with the same local coordinates.
 ///     body rings   x forward, y up, z to the creature's right

@@ -13,7 +13,6 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kDegree = 0.017453292519943295;
 constexpr int kLip = 5;  // the vertex of a head ring that lies in the mouth line, between the lips
 
 int sidesOf(int ring) {
