@@ -42,10 +42,10 @@ const char* fileName(Kernel kernel) {
 /// The header and whole instructions to the end of a function, with which a module ends: a compiler may still be
 /// writing the file.
 bool wholeSpirv(std::span<const std::uint32_t> code) {
-  constexpr std::uint32_t kMagic = 0x07230203;
+  constexpr std::uint32_t kSpirvMagic = 0x07230203;
   constexpr std::uint32_t kFunctionEnd = 1U << 16U | 56U;
   constexpr std::size_t kHeaderWords = 5;
-  if (code.size() <= kHeaderWords || code.front() != kMagic || code.back() != kFunctionEnd) return false;
+  if (code.size() <= kHeaderWords || code.front() != kSpirvMagic || code.back() != kFunctionEnd) return false;
   std::size_t word = kHeaderWords;
   while (word < code.size() && code[word] >> 16U != 0) word += code[word] >> 16U;
   return word == code.size();

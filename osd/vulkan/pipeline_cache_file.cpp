@@ -15,14 +15,14 @@ namespace honeycomb::Osd {
 
 namespace {
 
-constexpr std::uint64_t kMagic = 0x0a31434b50434852;  // "RHCPKC1\n", little-endian
+constexpr std::uint64_t kCacheMagic = 0x0a31434b50434852;  // "RHCPKC1\n", little-endian
 constexpr std::uint32_t kFileVersion = 1;
 /// Drivers' data for our kernels are some hundred KB: what is larger isn't ours.
 constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20U;
 
 /// The first bytes of a file.
 struct FileHeader {
-  std::uint64_t magic = kMagic;
+  std::uint64_t magic = kCacheMagic;
   std::uint32_t version = kFileVersion;
   std::uint32_t vendor = 0;
   std::uint32_t device = 0;
@@ -88,7 +88,7 @@ std::optional<std::vector<std::byte>> readPipelineCache(const std::filesystem::p
   FileHeader header;
   std::ifstream stream(file, std::ios::binary);
   if (error || size > kMostBytes || !readBytes(stream, &header, sizeof(header))) return std::nullopt;
-  if (header.magic != kMagic || header.bytes != size - sizeof(header)) return std::nullopt;
+  if (header.magic != kCacheMagic || header.bytes != size - sizeof(header)) return std::nullopt;
   std::vector<std::byte> data(static_cast<std::size_t>(header.bytes));
   if (!readBytes(stream, data.data(), data.size())) return std::nullopt;
   if (header != headerOf(key, data) || !startsWithDriverHeader(data, key)) return std::nullopt;
