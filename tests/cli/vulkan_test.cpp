@@ -166,7 +166,8 @@ TEST_F(VulkanBackendTest, BenchSaysWhatEachLevelTakes) {
                                "--layouts", "xyz", "--samples", "3", "--sample-ms", "1", "--json", path("bench.json")});
   EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
   EXPECT_THAT(outcome.out, testing::ContainsRegex("of which level 1 [0-9.]+ ms, level 2 [0-9.]+ ms, level 3"));
-  for (const nlohmann::json& one : nlohmann::json::parse(read("bench.json")).at("runs")) {
+  const nlohmann::json report = nlohmann::json::parse(read("bench.json"));
+  for (const nlohmann::json& one : report.at("runs")) {
     ASSERT_EQ(one.contains("levels"), one.at("evaluator") == "vulkan");
     if (!one.contains("levels")) continue;
     ASSERT_EQ(one.at("levels").size(), 3U);

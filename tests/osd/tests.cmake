@@ -1,5 +1,5 @@
 honeycomb_test(osd_tests
-  SHARDS 4
+  SHARDS 8
   LABELS threads
   ALONE "Simd.*:RowTables*:TileLimits*UnderEveryScheme:TileLimits*TooLarge*:TileNormals*UnderEveryScheme:TileNormals*TooLarge*:TileNormals*CostLinear*:Tiles*UnderEveryScheme:Tiles*TooLarge*"
   SOURCES

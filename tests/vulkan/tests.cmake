@@ -32,5 +32,6 @@ honeycomb_test(vulkan_refinement_test
   LIBRARIES honeycomb_vulkan_test_support honeycomb::osd_vulkan honeycomb::test_support)
 honeycomb_test(vulkan_tiles_test
   LABELS vulkan
+  SHARDS 3
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/tiles_test.cpp ${CMAKE_CURRENT_LIST_DIR}/lsan_suppressions.cpp
   LIBRARIES honeycomb_vulkan_test_support honeycomb::osd_vulkan honeycomb::test_support)

@@ -91,12 +91,14 @@ class TilesTest : public VulkanTest {
     return testing::AssertionSuccess();
   }
 
-  void agreeUnderEveryScheme(const Meshes::PolyMesh& mesh, TileScratch scratch) {
-    std::size_t turn = 0;
-    for (const Meshes::ListedScheme& scheme : Meshes::listedSchemes()) {
-      SCOPED_TRACE(scheme.name);
-      const Far::Refinement refinement = Meshes::refinedBy(scheme, Meshes::toTopology(mesh), 3);
-      const TileRun run{.scratch = scratch, .layouts = kPositions[turn++ % kPositions.size()]};
+  // A share of the schemes under sanitizers, which see nothing of what kernels do: from `first` on.
+  void agreeUnderEveryScheme(const Meshes::PolyMesh& mesh, TileScratch scratch, std::size_t first) {
+    const auto& schemes = Meshes::listedSchemes();
+    const std::size_t step = schemes.size() / Meshes::meshes(schemes.size());
+    for (std::size_t i = first % step; i < schemes.size(); i += step) {
+      SCOPED_TRACE(schemes[i].name);
+      const Far::Refinement refinement = Meshes::refinedBy(schemes[i], Meshes::toTopology(mesh), 3);
+      const TileRun run{.scratch = scratch, .layouts = kPositions[i % kPositions.size()]};
       ASSERT_TRUE(agree(refinement, run));
     }
   }
@@ -105,15 +107,15 @@ class TilesTest : public VulkanTest {
 };
 
 TEST_F(TilesTest, OfClosedMeshesUnderEveryScheme) {
-  agreeUnderEveryScheme(Meshes::torus(9, 7), TileScratch::buffer);
+  agreeUnderEveryScheme(Meshes::torus(9, 7), TileScratch::buffer, 0);
 }
 
 TEST_F(TilesTest, OfOpenMeshesUnderEverySchemeAndBoundaryRule) {
-  agreeUnderEveryScheme(Meshes::grid(7, 8), TileScratch::buffer);
+  agreeUnderEveryScheme(Meshes::grid(7, 8), TileScratch::buffer, 1);
 }
 
 TEST_F(TilesTest, InSharedMemoryUnderEverySchemeAndBoundaryRule) {
-  agreeUnderEveryScheme(Meshes::grid(7, 8), TileScratch::shared);
+  agreeUnderEveryScheme(Meshes::grid(7, 8), TileScratch::shared, 2);
 }
 
 TEST_F(TilesTest, OfPointsOfAnyLengthAndStride) {
