@@ -1,5 +1,6 @@
 honeycomb_test(osd_tests
   SHARDS 8
+  TWINS "*/1.*"
   LABELS threads
   ALONE "Simd.*:RowTables*:TileLimits*UnderEveryScheme:TileLimits*TooLarge*:TileNormals*UnderEveryScheme:TileNormals*TooLarge*:TileNormals*CostLinear*:Tiles*UnderEveryScheme:Tiles*TooLarge*"
   SOURCES
