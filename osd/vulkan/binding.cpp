@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "osd/vulkan/commands.h"
 #include "osd/vulkan/errors.h"
 #include "osd/vulkan/texels.h"
 
@@ -212,12 +213,8 @@ void VulkanBinding::writeTexels(VkDescriptorSet set, std::uint32_t slot, VkDescr
 
 // Makes what a phase wrote visible to the next, which may also overwrite what it read.
 void VulkanBinding::barrier(VkCommandBuffer commands) const {
-  VkMemoryBarrier memory{};
-  memory.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
-  memory.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
-  memory.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
-  core_->vk().vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                                   0, 1, &memory, 0, nullptr, 0, nullptr);
+  memoryBarrier(*core_, commands, {VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT},
+                {VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT});
 }
 
 void VulkanBinding::record(VkCommandBuffer commands) const {

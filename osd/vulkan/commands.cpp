@@ -7,6 +7,15 @@
 
 namespace honeycomb::Osd {
 
+void memoryBarrier(const VulkanCore& core, VkCommandBuffer commands, const MemoryAccess& before,
+                   const MemoryAccess& after) {
+  VkMemoryBarrier barrier{};
+  barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
+  barrier.srcAccessMask = before.access;
+  barrier.dstAccessMask = after.access;
+  core.vk().vkCmdPipelineBarrier(commands, before.stages, after.stages, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+}
+
 Result<CommandRunner> CommandRunner::create(const std::shared_ptr<const VulkanCore>& core) {
   CommandRunner runner;
   runner.core_ = core;

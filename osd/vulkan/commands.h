@@ -8,6 +8,16 @@
 
 namespace honeycomb::Osd {
 
+/// One side of a memory barrier.
+struct MemoryAccess {
+  VkPipelineStageFlags stages = 0;
+  VkAccessFlags access = 0;
+};
+
+/// Records a barrier over all memory.
+void memoryBarrier(const VulkanCore& core, VkCommandBuffer commands, const MemoryAccess& before,
+                   const MemoryAccess& after);
+
 /// One command buffer with a pool and a fence of its own: recorded once or anew, submitted as often as wanted.
 /// Waits for what is still running when it is destroyed.
 class CommandRunner {

@@ -66,9 +66,11 @@ Result<void> FrameSlot::makeBuffers() {
 
 // What lies between the described values is never written: let it be zero, on the device as well.
 Result<void> FrameSlot::clearUnmapped() {
+  const auto unmapped = [](const SharedBuffer& one) { return !one.mapped() && one.range().buffer != VK_NULL_HANDLE; };
+  if (std::ranges::none_of(buffers_, unmapped)) return {};
   if (auto begun = commands_.begin(VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT); !begun) return begun;
   for (const SharedBuffer& one : buffers_) {
-    if (one.mapped() || one.range().buffer == VK_NULL_HANDLE) continue;
+    if (!unmapped(one)) continue;
     core_->vk().vkCmdFillBuffer(commands_.commandBuffer(), one.range().buffer, 0, VK_WHOLE_SIZE, 0);
   }
   if (auto ended = commands_.end(); !ended) return ended;
@@ -86,27 +88,13 @@ Result<void> FrameSlot::record() {
 
 namespace {
 
-/// One side of a barrier.
-struct Access {
-  VkPipelineStageFlags stages = 0;
-  VkAccessFlags access = 0;
-};
-
-void memoryBarrier(const VulkanCore& core, VkCommandBuffer commands, const Access& before, const Access& after) {
-  VkMemoryBarrier barrier{};
-  barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER;
-  barrier.srcAccessMask = before.access;
-  barrier.dstAccessMask = after.access;
-  core.vk().vkCmdPipelineBarrier(commands, before.stages, after.stages, 0, 1, &barrier, 0, nullptr, 0, nullptr);
-}
-
 void copyWhole(const VulkanCore& core, VkCommandBuffer commands, const VulkanRange& from, const VulkanRange& to) {
   const VkBufferCopy region{from.offset, to.offset, from.size};
   core.vk().vkCmdCopyBuffer(commands, from.buffer, to.buffer, 1, &region);
 }
 
-constexpr Access kCopied{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT};
-constexpr Access kComputed{VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT};
+constexpr MemoryAccess kCopied{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT};
+constexpr MemoryAccess kComputed{VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT};
 
 }  // namespace
 
@@ -133,7 +121,7 @@ void FrameSlot::recordOutput() const {
     for (const SharedBuffer& one : results)
       if (one.staged()) copyWhole(*core_, commands, one.range(), one.hostRange());
   }
-  Access after;
+  MemoryAccess after;
   if (options_.readback) after = {VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT};
   if (options_.readers != 0) {
     after.stages |= options_.readers;
