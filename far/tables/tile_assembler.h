@@ -94,6 +94,21 @@ class TileAssembler {
   void collectLimits();
   void addLimits(std::span<const TileStep> steps, TileParts& parts) const;
   void addLimitsOf(const TileStep& step, TileParts& parts) const;
+  /// Calls visit(point) for the tile's own points of the wanted level.
+  template <class Visit>
+  void forOwnedPoints(const Visit& visit) const {
+    const TileUnits& units = plan_.units;
+    const LevelUnits& wanted = units.level(units.wanted());
+    for (std::int32_t k = units.root() + 1; k <= units.wanted(); ++k) {
+      for (const std::int32_t chain : plan_.owned(k, tile_)) {
+        const std::int32_t unit = units.unitAt(chain, units.wanted());
+        if (unit < 0) continue;
+        const UnitBatch& batch = wanted.batchOf(unit);
+        const std::int32_t first = wanted.firstOutput(batch, unit);
+        for (std::int32_t point = first; point < first + batch.outputs; ++point) visit(point);
+      }
+    }
+  }
   template <class Visit>
   void forWritten(const TileStep& step, const TileParts& parts, const Visit& visit) const;
   static std::int32_t outputsOf(const TileStep& step) {

@@ -54,21 +54,11 @@ void TileAssembler::forWritten(const TileStep& step, const TileParts& parts, con
 
 /// What the exact normals of the tile's own points are found from.
 void TileAssembler::collectLimits() {
-  const TileUnits& units = plan_.units;
-  const LevelUnits& wanted = units.level(units.wanted());
-  for (std::int32_t k = units.root() + 1; k <= units.wanted(); ++k) {
-    for (const std::int32_t chain : plan_.owned(k, tile_)) {
-      const std::int32_t unit = units.unitAt(chain, units.wanted());
-      if (unit < 0) continue;
-      const UnitBatch& batch = wanted.batchOf(unit);
-      const std::int32_t first = wanted.firstOutput(batch, unit);
-      for (std::int32_t point = first; point < first + batch.outputs; ++point) {
-        if (plan_.limits->shared(point)) continue;
-        const TileLimitPlan::Place place = plan_.limits->placeOf(point);
-        for (const std::int32_t read : place.points) touchPoint(place.level, read);
-      }
-    }
-  }
+  forOwnedPoints([&](std::int32_t point) {
+    if (plan_.limits->shared(point)) return;
+    const TileLimitPlan::Place place = plan_.limits->placeOf(point);
+    for (const std::int32_t read : place.points) touchPoint(place.level, read);
+  });
 }
 
 void TileAssembler::addLimits(std::span<const TileStep> steps, TileParts& parts) const {

@@ -7,20 +7,10 @@ namespace honeycomb::Far {
 
 /// The normals that the tile's own points of the last level take, and the corners these are found from.
 void TileAssembler::collectNormals() {
-  const TileUnits& units = plan_.units;
-  const LevelUnits& last = units.level(units.last());
   normals_.clear();
-  for (std::int32_t k = units.root() + 1; k <= units.last(); ++k) {
-    for (const std::int32_t chain : plan_.owned(k, tile_)) {
-      const std::int32_t unit = units.unitAt(chain, units.last());
-      if (unit < 0) continue;
-      const UnitBatch& batch = last.batchOf(unit);
-      const std::int32_t first = last.firstOutput(batch, unit);
-      for (std::int32_t i = 0; i < batch.outputs; ++i) {
-        plan_.normals->rule().visit(first + i, [&](std::int32_t normal) { touchNormal(normal); });
-      }
-    }
-  }
+  forOwnedPoints([&](std::int32_t point) {
+    plan_.normals->rule().visit(point, [&](std::int32_t normal) { touchNormal(normal); });
+  });
 }
 
 void TileAssembler::touchNormal(std::int32_t normal) {
