@@ -34,7 +34,7 @@ struct Header {
 static_assert(sizeof(Header) == kHeaderBytes);
 
 // At most 24 GiB, far within 64 bits; the bytes of all frames need not be.
-std::size_t frameBytes(const Pc2Info& info) {
+std::size_t frameBytes(const FrameInfo& info) {
   return 3 * sizeof(float) * static_cast<std::size_t>(info.pointCount);
 }
 
@@ -65,7 +65,7 @@ tl::unexpected<Error> failFile(std::string_view name, std::string_view what, std
   return fail(ErrorCode::invalidFile, fmt::format("{}: {}", name, what), element);
 }
 
-Result<Pc2Info> readHeader(std::string_view name, std::span<const std::byte> bytes) {
+Result<FrameInfo> readHeader(std::string_view name, std::span<const std::byte> bytes) {
   Header header;
   if (bytes.empty()) return failFile(name, "is empty; give a PC2 point cache");
   if (bytes.size() < kMagic.size() || std::memcmp(bytes.data(), kMagic.data(), kMagic.size()) != 0) {
@@ -82,11 +82,11 @@ Result<Pc2Info> readHeader(std::string_view name, std::span<const std::byte> byt
   if (header.frames < 1) {
     return failFile(name, fmt::format("has {} frames; export at least one frame", header.frames));
   }
-  return Pc2Info{header.points, header.frames, header.start, header.rate};
+  return FrameInfo{header.points, header.frames, header.start, header.rate, 0};
 }
 
 // Divides rather than multiplies: points x frames of a hostile header pass 64 bits.
-Result<void> checkLength(std::string_view name, const Pc2Info& info, std::size_t fileBytes) {
+Result<void> checkLength(std::string_view name, const FrameInfo& info, std::size_t fileBytes) {
   const std::size_t whole = (fileBytes - kHeaderBytes) / frameBytes(info);
   if (whole >= static_cast<std::size_t>(info.frameCount)) return {};
   return failFile(name,
@@ -101,7 +101,7 @@ Result<void> checkLength(std::string_view name, const Pc2Info& info, std::size_t
 struct Pc2Reader::Mapping {
   MappedFile file;
   std::string name;
-  Pc2Info info;
+  FrameInfo info;
 
   std::size_t frameBegin(std::int32_t f) const { return kHeaderBytes + static_cast<std::size_t>(f) * frameBytes(info); }
 };
@@ -114,7 +114,7 @@ Pc2Reader::~Pc2Reader() = default;
 Result<Pc2Reader> Pc2Reader::open(const std::filesystem::path& path) {
   Result<MappedFile> file = MappedFile::open(path);
   if (!file) return tl::unexpected<Error>(file.error());
-  const Result<Pc2Info> info = readHeader(path.string(), file->bytes());
+  const Result<FrameInfo> info = readHeader(path.string(), file->bytes());
   if (!info) return tl::unexpected<Error>(info.error());
   const Result<void> whole = checkLength(path.string(), *info, file->bytes().size());
   if (!whole) return tl::unexpected<Error>(whole.error());
@@ -122,7 +122,7 @@ Result<Pc2Reader> Pc2Reader::open(const std::filesystem::path& path) {
   return Pc2Reader(std::make_unique<Mapping>(Mapping{std::move(*file), path.string(), *info}));
 }
 
-const Pc2Info& Pc2Reader::info() const {
+const FrameInfo& Pc2Reader::info() const {
   return mapping_->info;
 }
 
@@ -139,10 +139,14 @@ Result<std::span<const float>> Pc2Reader::frame(std::int32_t f) const {
   return points;
 }
 
+Result<std::span<const float>> Pc2Reader::frame(std::int32_t f, std::vector<float>& /*storage*/) const {
+  return frame(f);
+}
+
 struct Pc2Writer::State {
   OutputFile file;
   std::string name;
-  Pc2Info info;
+  FrameInfo info;
   std::int32_t written = 0;  // frames
 };
 
@@ -151,7 +155,7 @@ Pc2Writer::Pc2Writer(Pc2Writer&&) noexcept = default;
 Pc2Writer& Pc2Writer::operator=(Pc2Writer&&) noexcept = default;
 Pc2Writer::~Pc2Writer() = default;
 
-Result<Pc2Writer> Pc2Writer::create(const std::filesystem::path& path, const Pc2Info& info) {
+Result<Pc2Writer> Pc2Writer::create(const std::filesystem::path& path, const FrameInfo& info) {
   if (info.pointCount < 1 || info.frameCount < 1) {
     return fail(ErrorCode::invalidOption,
                 fmt::format("{}: a PC2 cache of {} points and {} frames cannot be; give one or "

@@ -6,23 +6,16 @@
 #include <span>
 
 #include "far/base/result.h"
+#include "io/frame_source.h"
 
 namespace honeycomb::Io {
 
-/// Header of a PC2 point cache:
+/// A PC2 point cache:
 ///     "POINTCACHE2\0" | int32 version 1 | int32 points | float start | float rate | int32 frames | float32 xyz ...
-/// little-endian; start is the time of the first frame, rate the time between two.
-struct Pc2Info {
-  std::int32_t pointCount = 0;
-  std::int32_t frameCount = 0;
-  float start = 0;
-  float rate = 1;
-};
-
-/// A PC2 cache mapped into memory: pages come in as frames are read and may leave again, so a cache larger than memory
-/// works: the memory of frames well before the one being read is given back. Reading is thread-safe; a span stays valid
-/// as long as the reader lives.
-class Pc2Reader {
+/// little-endian; start and rate count frames. It is mapped into memory: pages come in as frames are read and may leave
+/// again, so a cache larger than memory works: the memory of frames well before the one being read is given back.
+/// Reading is thread-safe; a span stays valid as long as the reader lives.
+class Pc2Reader : public FrameSource {
  public:
   /// Errors: unreadable; invalidFile for another kind of file, another version, counts below one, or fewer bytes than
   /// the header promises (the message names the first frame that is cut; element: that frame). Bytes behind the last
@@ -30,13 +23,14 @@ class Pc2Reader {
   static Result<Pc2Reader> open(const std::filesystem::path& path);
   Pc2Reader(Pc2Reader&&) noexcept;
   Pc2Reader& operator=(Pc2Reader&&) noexcept;
-  ~Pc2Reader();
+  ~Pc2Reader() override;
 
-  const Pc2Info& info() const;
+  const FrameInfo& info() const override;
   /// The 3 x pointCount coordinates of frame f, counted from 0: the file's own bytes, not a copy. Errors:
   /// invalidPositions when one is NaN or infinite (element: vertex; the message names frame and vertex, both from 0);
   /// invalidOption when there is no such frame.
   Result<std::span<const float>> frame(std::int32_t f) const;
+  Result<std::span<const float>> frame(std::int32_t f, std::vector<float>& storage) const override;
 
  private:
   struct Mapping;
@@ -49,7 +43,7 @@ class Pc2Reader {
 class Pc2Writer {
  public:
   /// Errors: unwritable; invalidOption for counts below one.
-  static Result<Pc2Writer> create(const std::filesystem::path& path, const Pc2Info& info);
+  static Result<Pc2Writer> create(const std::filesystem::path& path, const FrameInfo& info);
   Pc2Writer(Pc2Writer&&) noexcept;
   Pc2Writer& operator=(Pc2Writer&&) noexcept;
   ~Pc2Writer();

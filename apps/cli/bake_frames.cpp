@@ -13,31 +13,28 @@
 namespace honeycomb::Cli {
 namespace {
 
+/// What turns a frame into control points.
+struct ControlStorage {
+  std::vector<float> frame;    // where the animation has to compute it
+  std::vector<float> control;  // where it isn't the frame as it stands
+};
+
 /// What one frame of the window works with; nothing is allocated once it is warm.
 struct Slot {
   SurfaceEvaluator& evaluator;
-  std::vector<float> control;
+  ControlStorage control;
   Surface<float> surface;
   Result<void> result;
 };
 
-/// The frame's points without the vertices that were left out.
-void takeVertices(const MeshInput& input, std::span<const float> frame, std::vector<float>& control) {
-  control.clear();
-  for (const std::int32_t v : input.kept) {
-    const auto point = frame.subspan(3 * at(v), 3);
-    control.insert(control.end(), point.begin(), point.end());
-  }
-  if (input.kept.empty()) control.assign(frame.begin(), frame.end());
-}
-
 /// The control points of a frame: its vertices, then central control vertices where they are given.
-Result<std::span<const float>> controlPoints(const BakeFrames& job, std::int32_t f, std::vector<float>& control) {
-  const Result<std::span<const float>> points = job.cache.frame(f);
-  if (!points) return tl::unexpected(inFile(job.cacheFile, points.error()));
-  if (job.input.kept.empty() && !job.central.given) return points;
-  takeVertices(job.input, *points, control);
-  if (!job.central.given) return control;
+Result<std::span<const float>> controlPoints(const BakeFrames& job, std::int32_t f, ControlStorage& storage) {
+  const Result<std::span<const float>> points = job.animation.frames->frame(f, storage.frame);
+  if (!points) return tl::unexpected(inFile(job.animation.file, points.error()));
+  std::vector<float>& control = storage.control;
+  const std::span<const float> vertices = takeVertices(job.input, *points, control);
+  if (!job.central.given) return vertices;
+  if (vertices.data() != control.data()) control.assign(vertices.begin(), vertices.end());
   if (!job.central.cache) {
     appendOffsetPoints(job.input.mesh.polygons, job.central.offsets, control);
     return control;
@@ -49,7 +46,7 @@ Result<std::span<const float>> controlPoints(const BakeFrames& job, std::int32_t
 }
 
 Error ofFrame(const BakeFrames& job, std::int32_t frame, Error error) {
-  error.message = fmt::format("{}: frame {}: {}", job.cacheFile, frame, error.message);
+  error.message = fmt::format("{}: frame {}: {}", job.animation.file, frame, error.message);
   return error;
 }
 
@@ -83,7 +80,7 @@ struct Sink {
 
   Result<void> write(std::int32_t frame, const Surface<float>& surface) const {
     if (const auto written = writer.write(surface.vertices()); !written) return written;
-    if (firstFrame && frame == job.range.begin)
+    if (firstFrame && frame == job.animation.range.begin)
       firstFrame->assign(surface.vertices().begin(), surface.vertices().end());
     return {};
   }
@@ -92,8 +89,8 @@ struct Sink {
 Result<void> bakeTasks(const BakeFrames& job, const Sink& sink, Progress& progress) {
   std::vector<Slot> slots;
   for (const auto& evaluator : job.evaluators.each) slots.push_back({*evaluator, {}, {}, {}});
-  for (std::int32_t first = job.range.begin; first < job.range.end; first += job.atOnce()) {
-    const std::int32_t count = std::min(job.atOnce(), job.range.end - first);
+  for (std::int32_t first = job.animation.range.begin; first < job.animation.range.end; first += job.atOnce()) {
+    const std::int32_t count = std::min(job.atOnce(), job.animation.range.end - first);
     bakeWindow(job, first, count, slots, progress);
     for (std::int32_t i = 0; i < count; ++i) {
       const Slot& slot = slots[at(i)];
@@ -104,7 +101,7 @@ Result<void> bakeTasks(const BakeFrames& job, const Sink& sink, Progress& progre
   return {};
 }
 
-Result<void> submitFrame(const BakeFrames& job, std::int32_t frame, std::vector<float>& storage) {
+Result<void> submitFrame(const BakeFrames& job, std::int32_t frame, ControlStorage& storage) {
   if (interruptSignal() != 0) return fail(ErrorCode::unwritable, "interrupted");
   const Result<std::span<const float>> control = controlPoints(job, frame, storage);
   if (!control) return tl::unexpected(control.error());
@@ -123,13 +120,13 @@ Result<void> collectFrame(const BakeFrames& job, std::int32_t frame, Surface<flo
 /// The frame `depth` before is collected and written while those between are refined. After a frame that can't be sent
 /// off, those before it come first, since one of them may have an error too.
 Result<void> bakeStream(const BakeFrames& job, const Sink& sink, Progress& progress) {
-  std::vector<float> control;
+  ControlStorage control;
   Surface<float> surface;
   Result<void> sent;
-  std::int32_t end = job.range.end;
-  for (std::int32_t frame = job.range.begin; frame < end + job.atOnce(); ++frame) {
+  std::int32_t end = job.animation.range.end;
+  for (std::int32_t frame = job.animation.range.begin; frame < end + job.atOnce(); ++frame) {
     const std::int32_t oldest = frame - job.atOnce();
-    if (oldest >= job.range.begin) {
+    if (oldest >= job.animation.range.begin) {
       if (const auto collected = collectFrame(job, oldest, surface); !collected) return collected;
       if (const auto written = sink.write(oldest, surface); !written) return written;
       progress.advance(1);
@@ -144,7 +141,7 @@ Result<void> bakeStream(const BakeFrames& job, const Sink& sink, Progress& progr
 
 Result<void> bakeFrames(const BakeFrames& job, const Session& session, Io::Pc2Writer& writer,
                         std::vector<float>* firstFrame) {
-  Progress progress(session, "baking", "frames", job.range.count());
+  Progress progress(session, "baking", "frames", job.animation.range.count());
   const Sink sink{job, writer, firstFrame};
   return job.evaluators.stream ? bakeStream(job, sink, progress) : bakeTasks(job, sink, progress);
 }

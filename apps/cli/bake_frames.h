@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "apps/cli/animation_input.h"
 #include "apps/cli/central_points.h"
 #include "apps/cli/console.h"
-#include "apps/cli/frame_range.h"
 #include "apps/cli/mesh_input.h"
 #include "apps/cli/surface_evaluator.h"
 #include "far/base/result.h"
@@ -18,13 +18,11 @@ namespace honeycomb::Cli {
 
 /// What to bake; everything outlives the job.
 struct BakeFrames {
-  const Io::Pc2Reader& cache;
-  FrameRange range;
+  const Animation& animation;
   const MeshInput& input;
   const CentralPoints& central;
   const Far::Refinement& refinement;
   const FrameEvaluators& evaluators;
-  std::string cacheFile;  ///< for messages
   /// Frames in memory.
   int atOnce() const {
     return evaluators.stream ? evaluators.stream->depth() : static_cast<int>(evaluators.each.size());

@@ -72,7 +72,7 @@ Result<MeshInput> readMesh(const std::string& file, Isolated isolated) {
   if (!format) return tl::unexpected(format.error());
   Result<Io::ObjMesh> mesh = (*format)->read(file);
   if (!mesh) return tl::unexpected(inFile(file, mesh.error()));
-  MeshInput input{file, std::move(*mesh), 0, {}};
+  MeshInput input{file, std::move(*mesh), 0, {}, {}};
   input.fileVertices = input.mesh.polygons.vertexCount;
   if (isolated == Isolated::drop) dropIsolated(input);
   return input;

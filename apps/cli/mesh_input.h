@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "far/base/result.h"
 #include "far/topology/defects.h"
 #include "far/topology/topology.h"
+#include "io/frame_source.h"
 #include "io/obj.h"
 
 namespace honeycomb::Cli {
@@ -17,6 +19,7 @@ struct MeshInput {
   Io::ObjMesh mesh;
   std::int32_t fileVertices = 0;   ///< vertices in the file
   std::vector<std::int32_t> kept;  ///< 0-based number in the file of each vertex of `mesh`; empty: all are there
+  std::shared_ptr<const Io::FrameSource> frames;  ///< the file's own animation, all fileVertices; null: one pose only
 
   std::int64_t dropped() const { return fileVertices - mesh.polygons.vertexCount; }
   std::int64_t fileVertex(std::int64_t v) const { return kept.empty() ? v : kept[static_cast<std::size_t>(v)]; }

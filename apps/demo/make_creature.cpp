@@ -19,7 +19,7 @@ Result<void> writeCage(const Creature& creature, const std::filesystem::path& pa
 }
 
 Result<void> writeFrames(const Creature& creature, const std::filesystem::path& path) {
-  const Io::Pc2Info info{creature.polygons().vertexCount, Creature::kFrameCount, 0.0F, 1.0F};
+  const Io::FrameInfo info{creature.polygons().vertexCount, Creature::kFrameCount, 0.0F, 1.0F, 0.0F};
   Result<Io::Pc2Writer> writer = Io::Pc2Writer::create(path, info);
   if (!writer) return tl::unexpected(writer.error());
   for (std::int32_t i = 0; i < Creature::kFrameCount; ++i) {

@@ -1,0 +1,57 @@
+#include "apps/cli/animation_input.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "apps/cli/formats.h"
+#include "far/base/index.h"
+#include "io/pc2.h"
+
+namespace honeycomb::Cli {
+namespace {
+
+Result<std::shared_ptr<const Io::FrameSource>> openFrames(const AnimationOptions& options, const MeshInput& input) {
+  if (options.cache.empty()) {
+    if (input.frames) return input.frames;
+    return fail(ErrorCode::invalidOption,
+                fmt::format("{}: holds one pose only; name its animation with --cache FILE.pc2", input.file));
+  }
+  if (const auto known = checkCacheFormat(options.cache); !known) return tl::unexpected(known.error());
+  Result<Io::Pc2Reader> cache = Io::Pc2Reader::open(options.cache);
+  if (!cache) return tl::unexpected(inFile(options.cache, cache.error()));
+  return std::make_shared<const Io::Pc2Reader>(std::move(*cache));
+}
+
+}  // namespace
+
+void addAnimationOptions(CLI::App& subcommand, AnimationOptions& options) {
+  subcommand.add_option("--cache", options.cache, "Point cache that animates IN (.pc2)");
+  subcommand.add_option("--frames", options.frames, "Frames a:b of the animation, b not included (default: all)");
+}
+
+Result<Animation> openAnimation(const AnimationOptions& options, const MeshInput& input) {
+  const auto frames = openFrames(options, input);
+  if (!frames) return tl::unexpected(frames.error());
+  const std::string& file = options.cache.empty() ? input.file : options.cache;
+  const Io::FrameInfo& info = (*frames)->info();
+  if (info.pointCount != input.fileVertices)
+    return fail(ErrorCode::invalidFile,
+                fmt::format("{}: has {} points a frame, but {} has {} vertices; take the mesh the cache was made for",
+                            file, info.pointCount, input.file, input.fileVertices));
+  const Result<FrameRange> range = parseFrameRange(options.frames, info.frameCount);
+  if (!range) return tl::unexpected(range.error());
+  return Animation{*frames, *range, file};
+}
+
+std::span<const float> takeVertices(const MeshInput& input, std::span<const float> frame, std::vector<float>& storage) {
+  if (input.kept.empty()) return frame;
+  storage.clear();
+  for (const std::int32_t v : input.kept) {
+    const auto point = frame.subspan(3 * at(v), 3);
+    storage.insert(storage.end(), point.begin(), point.end());
+  }
+  return storage;
+}
+
+}  // namespace honeycomb::Cli
