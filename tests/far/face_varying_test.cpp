@@ -339,11 +339,11 @@ TEST(FaceVarying, SeamsBesideAndOnCreasesAreContinued) {
   };
   const Numbers expected = widths(reference);
   EXPECT_LT(*std::max_element(expected.begin(), expected.end()), 0.2);
-  for (const std::size_t seam : {3, 4, 5}) {
+  for (const std::size_t seam : {3U, 4U, 5U}) {
     const Numbers found = widths(mappedCylinder(8, 4, seam));
     for (std::size_t h = 0; h < found.size(); ++h) ASSERT_NEAR(found[h], expected[h], 1e-12) << "seam " << seam;
   }
-  for (const std::size_t seam : {0, 1, 7}) {
+  for (const std::size_t seam : {0U, 1U, 7U}) {
     for (const double width : widths(mappedCylinder(8, 4, seam))) ASSERT_LT(std::abs(width), 0.2) << "seam " << seam;
   }
 }

@@ -24,7 +24,7 @@ RandomMesh randomMesh(std::uint64_t seed, Border border);
 /// How many random meshes (or sides of a face) a test takes that wants `count`: sanitizers slow it down several times,
 /// and get a quarter.
 constexpr std::uint64_t meshes(std::uint64_t count) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef HONEYCOMB_SANITIZED
   return (count + 3) / 4;
 #else
   return count;

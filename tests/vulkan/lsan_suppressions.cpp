@@ -1,4 +1,4 @@
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef HONEYCOMB_SANITIZED
 
 #include <dlfcn.h>
 

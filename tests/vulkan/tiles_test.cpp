@@ -146,7 +146,7 @@ TEST_F(TilesTest, WithCreases) {
 }
 
 TEST_F(TilesTest, OfFacesWithAnyNumberOfSides) {
-  for (const std::size_t sides : {3, 5, 7, 9, 10, 33, 64}) {
+  for (const std::size_t sides : {3U, 5U, 7U, 9U, 10U, 33U, 64U}) {
     const Far::Refinement refinement = aklemanOf(Meshes::prism(sides), 2);
     for (const TileScratch scratch : {TileScratch::buffer, TileScratch::shared}) {
       EXPECT_TRUE(agree(refinement, {.scratch = scratch})) << sides << " sides";
