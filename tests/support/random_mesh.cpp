@@ -14,6 +14,14 @@ namespace {
 constexpr std::size_t kMaxSides = 64;
 constexpr std::size_t kMaxFaces = 150;
 
+/// A grid or torus of random size. The columns are drawn first: arguments would be evaluated in an order of the
+/// compiler's.
+PolyMesh randomRows(PolyMesh (*make)(std::size_t, std::size_t), Random& random, std::size_t least) {
+  const std::size_t columns = random.between(least, 6);
+  const std::size_t rows = random.between(least, 6);
+  return make(rows, columns);
+}
+
 PolyMesh randomBase(Random& random, Border border) {
   switch (random.below(border == Border::open ? 8 : 6)) {
     case 0:
@@ -23,7 +31,7 @@ PolyMesh randomBase(Random& random, Border border) {
     case 2:
       return dodecahedron();
     case 3:
-      return torus(random.between(3, 6), random.between(3, 6));
+      return randomRows(torus, random, 3);
     case 4:
       return prism(random.between(3, 12));
     case 5:
@@ -31,7 +39,7 @@ PolyMesh randomBase(Random& random, Border border) {
     case 6:
       return wheel(random.between(3, 9));
     default:
-      return grid(random.between(1, 6), random.between(1, 6));
+      return randomRows(grid, random, 1);
   }
 }
 
