@@ -1,5 +1,5 @@
-// Where the points of the wanted level go to: straight into the caller's buffer, or past the caches. Compiled once a
-// Highway target; no include guard but Highway's.
+// A tile's own points, and where those of the wanted level go to: straight into the caller's buffer, or past the
+// caches. Compiled once a Highway target; no include guard but Highway's.
 #if defined(HONEYCOMB_OSD_SIMD_SINKS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef HONEYCOMB_OSD_SIMD_SINKS_INL_H
 #undef HONEYCOMB_OSD_SIMD_SINKS_INL_H
@@ -32,112 +32,35 @@ HWY_INLINE hn::Vec<D> loadOwn(D d, const float* own, const Far::TilePoint* index
   }
 }
 
-/// Numbers from one point to the next where Access tells, 0 elsewhere.
-template <Access kAccess>
-constexpr std::int64_t kFixedStride = kAccess == Access::overlapping ? 3 : 0;
-
-/// The n points of the faces of a vector, one face behind the other, from p on. The last point is written without
-/// touching what is behind it.
-template <Access kAccess, int k = 0, class D>
-HWY_INLINE void storeInRow(D d, const hn::Vec<D>* out, int n, float* p, std::int64_t stride) {
-  constexpr bool kEnds = k + 1 == kBlocks<D>;
-  constexpr Access kLast = kEnds && kAccess == Access::overlapping ? Access::three : kAccess;
-  HWY_UNROLL(8)
-  for (int i = 0; i + 1 < n; ++i) storePoint<kAccess>(blockOf<k>(d, out[i]), p + (k * n + i) * stride);
-  storePoint<kLast>(blockOf<k>(d, out[n - 1]), p + (k * n + n - 1) * stride);
-  if constexpr (!kEnds) storeInRow<kAccess, k + 1>(d, out, n, p, stride);
-}
-
-/// Straight into the target.
-template <Access kAccess>
-class DirectSink {
- public:
-  DirectSink(const View<float>& target, float*) : target_(target) {}
-
-  /// The n outputs of each of a vector's faces (rows: n is 1), the first of which is number `face` of its step.
-  template <class D>
-  HWY_INLINE void put(D d, const hn::Vec<D>* out, int n, const Kernels::Outputs& outputs, std::int32_t face) const {
-    constexpr std::int32_t kLast = kBlocks<D> - 1;
-    if (outputs.each == nullptr) {
-      storeInRow<kAccess>(d, out, n, point(outputs.first + face * n), stride());
-    } else if (const std::int32_t* o = outputs.each + face; o[kLast] == o[0] + kLast * n) {
-      storeInRow<kAccess>(d, out, n, point(o[0]), stride());
-    } else {
-      putApart(d, out, n, o);
-    }
-  }
-  void finish() const {}
-
- private:
-  HWY_INLINE std::int64_t stride() const { return kFixedStride<kAccess> > 0 ? kFixedStride<kAccess> : target_.stride; }
-  HWY_INLINE float* point(std::int64_t i) const { return target_.data + i * stride(); }
-
-  template <int k = 0, class D>
-  HWY_INLINE void putApart(D d, const hn::Vec<D>* out, int n, const std::int32_t* outputs) const {
-    constexpr Access kLast = kAccess == Access::overlapping ? Access::three : kAccess;
-    float* p = point(outputs[k]);
-    HWY_UNROLL(8)
-    for (int i = 0; i + 1 < n; ++i) storePoint<kAccess>(blockOf<k>(d, out[i]), p + i * stride());
-    storePoint<kLast>(blockOf<k>(d, out[n - 1]), p + (n - 1) * stride());
-    if constexpr (k + 1 < kBlocks<D>) putApart<k + 1>(d, out, n, outputs);
-  }
-
-  View<float> target_;
-};
-
-/// Past the caches: outputs that follow each other are gathered in a buffer of some kilobytes, and leave it as whole
-/// cache lines by non-temporal stores. For targets without gaps between points: xyz (stride 3) or xyzw (stride 4).
+/// What goes past the caches: outputs that follow each other are gathered in a buffer of some kilobytes, and leave it
+/// as whole cache lines by non-temporal stores.
 ///     buffer   | not ours | gathered ................ | slack
 ///              0          begin_                      fill_           numbers
 ///     target   line_      (a whole number of cache lines before)
-template <Access kAccess>
-class StreamSink {
+class Stream {
  public:
   /// `buffer`: kStreamRoom numbers on a cache line.
-  StreamSink(const View<float>& target, float* buffer) : target_(target.data), buffer_(buffer) {}
+  explicit Stream(float* buffer) : buffer_(buffer) {}
 
-  template <class D>
-  HWY_INLINE void put(D d, const hn::Vec<D>* out, int n, const Kernels::Outputs& outputs, std::int32_t face) {
-    constexpr std::int32_t kLast = kBlocks<D> - 1;
-    const std::int32_t* o = outputs.each;
-    if (o == nullptr || o[face + kLast] == o[face] + kLast * n) {
-      putRow(d, out, n, outputs.of(face, n));
-    } else {
-      putApart(d, out, n, o + face);
-    }
+  /// Where to write the `count` numbers that go to p.
+  HWY_INLINE float* room(float* p, std::int64_t count) {
+    if (p != line_ + fill_ || fill_ >= Kernels::kStreamNumbers) makeRoom(p);
+    float* const to = buffer_ + fill_;
+    fill_ += count;
+    return to;
   }
 
+  /// To be called behind the last numbers.
   void finish() {
     flush();
     hwy::FlushStream();
   }
 
  private:
-  static constexpr std::int64_t kStride = kAccess == Access::overlapping ? 3 : 4;
   static constexpr std::int64_t kLine = 16;  // numbers of a cache line
 
-  template <class D>
-  HWY_INLINE void putRow(D d, const hn::Vec<D>* out, int n, std::int32_t output) {
-    makeRoom(target_ + output * kStride);
-    storeInRow<Access::whole>(d, out, n, buffer_ + fill_, kStride);
-    fill_ += kBlocks<D> * n * kStride;
-  }
-
-  template <int k = 0, class D>
-  HWY_INLINE void putApart(D d, const hn::Vec<D>* out, int n, const std::int32_t* outputs) {
-    makeRoom(target_ + outputs[k] * kStride);
-    HWY_UNROLL(8)
-    for (int i = 0; i < n; ++i) storePoint<Access::whole>(blockOf<k>(d, out[i]), buffer_ + fill_ + i * kStride);
-    fill_ += n * kStride;
-    if constexpr (k + 1 < kBlocks<D>) putApart<k + 1>(d, out, n, outputs);
-  }
-
-  /// Makes the buffer ready to take what goes to p.
-  HWY_INLINE void makeRoom(float* p) {
-    if (p == line_ + fill_) {
-      if (fill_ >= Kernels::kStreamNumbers) sendLines();
-      return;
-    }
+  HWY_NOINLINE void makeRoom(float* p) {
+    if (p == line_ + fill_) return sendLines();
     flush();
     begin_ = fill_ = static_cast<std::int64_t>(reinterpret_cast<std::uintptr_t>(p) / sizeof(float) % kLine);
     line_ = p - fill_;
@@ -166,12 +89,100 @@ class StreamSink {
     begin_ = fill_;
   }
 
-  float* target_;
   float* buffer_;
   float* line_ = nullptr;
   std::int64_t begin_ = 0;
   std::int64_t fill_ = 0;
 };
+
+/// Where the points of the wanted level go to, `length` numbers each: straight into the caller's buffer, or into
+/// `stream`. kPacked: 3 or 4, points of so many numbers without gaps; 0: of 1 to 4 with any, which are not streamed. To
+/// be passed by value: stores to points of unknown whereabouts then leave its numbers in registers.
+template <int kPacked, bool kStreamed>
+class Sink {
+ public:
+  Sink(const View<float>& target, int length, Stream& stream)
+      : data_(target.data), stride_(target.stride), length_(length), stream_(&stream) {}
+
+  /// The n outputs of each of a vector's faces (rows: n is 1), the first of which is number `face` of its step.
+  template <class D>
+  HWY_INLINE void put(D d, const hn::Vec<D>* out, int n, const Kernels::Outputs& outputs, std::int32_t face) const {
+    std::int32_t first[kBlocks<D>];
+    if (outputs.each != nullptr) {
+      for (int k = 0; k < kBlocks<D>; ++k) first[k] = outputs.each[face + k];
+    } else {
+      for (int k = 0; k < kBlocks<D>; ++k) first[k] = outputs.first + (face + k) * n;
+    }
+    putFaces(d, out, n, first);
+  }
+
+ private:
+  HWY_INLINE std::int64_t stride() const { return kPacked > 0 ? kPacked : stride_; }
+
+  HWY_INLINE float* place(std::int32_t output, int points) const {
+    float* const p = data_ + output * stride();
+    if constexpr (kStreamed) return stream_->room(p, points * stride());
+    return p;
+  }
+
+  /// Block k of out[..] to point first[k] and those behind it. What is behind the last point of a face stays untouched:
+  /// it may be another thread's.
+  template <int k = 0, class D>
+  HWY_INLINE void putFaces(D d, const hn::Vec<D>* out, int n, const std::int32_t* first) const {
+    float* const p = place(first[k], n);
+    HWY_UNROLL(8)
+    for (int i = 0; i + 1 < n; ++i) putPoint(blockOf<k>(d, out[i]), p + i * stride(), false);
+    putPoint(blockOf<k>(d, out[n - 1]), p + (n - 1) * stride(), true);
+    if constexpr (k + 1 < kBlocks<D>) putFaces<k + 1>(d, out, n, first);
+  }
+
+  HWY_INLINE void putPoint(BlockVector v, float* p, bool last) const {
+    if constexpr (kPacked > 0) {
+      kPacked == 3 && last && !kStreamed ? storePoint<Access::three>(v, p) : storePoint<Access::whole>(v, p);
+      return;
+    }
+    switch (length_) {
+      case 1:
+        return storePoint<Access::one>(v, p);
+      case 2:
+        return storePoint<Access::two>(v, p);
+      case 3:
+        return storePoint<Access::three>(v, p);
+      default:
+        return storePoint<Access::whole>(v, p);
+    }
+  }
+
+  float* data_;
+  std::int64_t stride_;
+  int length_;
+  Stream* stream_;
+};
+
+/// Calls body(sink) with the sink for points of kPacked numbers without gaps.
+template <int kPacked, class Body>
+HWY_INLINE void withPackedSink(const View<float>& target, float* buffer, const Body& body) {
+  Stream stream(buffer);
+  if (buffer == nullptr) return body(Sink<kPacked, false>(target, kPacked, stream));
+  body(Sink<kPacked, true>(target, kPacked, stream));
+  stream.finish();
+}
+
+/// Calls body(sink) with the sink for points of one to three numbers (or four with gaps) in `target`; `buffer`: as
+/// Stream's, null if nothing is to be streamed.
+template <class Body>
+HWY_INLINE void withSmallSink(const View<float>& target, int length, float* buffer, const Body& body) {
+  if (length == 3 && target.stride == 3) return withPackedSink<3>(target, buffer, body);
+  Stream none(nullptr);
+  body(Sink<0, false>(target, length, none));
+}
+
+/// The same for points of one to four.
+template <class Body>
+HWY_INLINE void withSink(const View<float>& target, int length, float* buffer, const Body& body) {
+  if (length == 4 && target.stride == 4) return withPackedSink<4>(target, buffer, body);
+  withSmallSink(target, length, buffer, body);
+}
 
 }  // namespace honeycomb::Osd::Simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -32,7 +32,7 @@ struct VertexFrames {
 /// Of faces `face` .. as many as kTogether vectors of D hold at once; returns the first left. kSides: points a vertex
 /// reads, kEach: points of a face, any number if 0.
 template <int kSides, int kEach, int kTogether, class D, class Sink>
-HWY_INLINE std::int32_t facesOfFrames(D d, const VertexFrames& frames, Sink& sink, std::int32_t face) {
+HWY_INLINE std::int32_t facesOfFrames(D d, const VertexFrames& frames, Sink sink, std::int32_t face) {
   const int n = kSides > 0 ? kSides : frames.group.sides;
   const int each = kEach > 0 ? kEach : frames.group.each;
   const TangentWeights<kSides, D> w(d, frames.weights, n);
@@ -53,7 +53,7 @@ HWY_INLINE std::int32_t facesOfFrames(D d, const VertexFrames& frames, Sink& sin
 }
 
 template <int kSides, int kEach, class Sink>
-void groupOfFrames(const VertexFrames& frames, Sink& sink) {
+void groupOfFrames(const VertexFrames& frames, Sink sink) {
   using Wide = HWY_CAPPED(float, 16);
   std::int32_t face = 0;
   const auto upTo = [&](auto d, auto together) HWY_ATTR {
@@ -67,7 +67,7 @@ void groupOfFrames(const VertexFrames& frames, Sink& sink) {
 
 /// Points that are not vertices.
 template <class Sink>
-void zeroVectors(const VertexFrames& frames, Sink& sink) {
+void zeroVectors(const VertexFrames& frames, Sink sink) {
   const Block d;
   BlockVector zero[Far::kLargestCirculant];
   std::fill_n(zero, frames.group.each, hn::Zero(d));
@@ -75,9 +75,7 @@ void zeroVectors(const VertexFrames& frames, Sink& sink) {
 }
 
 template <class Sink>
-void limitNormals(const Far::TileTable& table, std::int32_t tile, const float* points,
-                  const Kernels::NormalViews<float>& views) {
-  Sink sink(views.target, views.stream);
+void limitNormals(const Far::TileTable& table, std::int32_t tile, const float* points, Sink sink) {
   const Far::TileLimits& limits = table.limits;
   const Far::TileLimits::Range& range = limits.tiles[at(tile)];
   for (std::int32_t b = range.firstFrames; b < range.firstFrames + range.framesCount; ++b) {
@@ -92,7 +90,6 @@ void limitNormals(const Far::TileTable& table, std::int32_t tile, const float* p
       forCommonSides(group.each, [&](auto each) HWY_ATTR { groupOfFrames<6, decltype(each)::value>(frames, sink); });
     }
   }
-  sink.finish();
 }
 
 }  // namespace honeycomb::Osd::Simd::HWY_NAMESPACE

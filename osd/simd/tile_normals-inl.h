@@ -26,12 +26,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class Body>
 HWY_INLINE void forCommonSides(std::int32_t sides, const Body& body) {
   switch (sides) {
-    case 4:
-      return body(Int<4>{});
     case 6:
       return body(Int<6>{});
+#ifndef HONEYCOMB_NARROW_SIMD
+    case 4:
+      return body(Int<4>{});
     case 8:
       return body(Int<8>{});
+#endif
     default:
       return body(Int<0>{});
   }
@@ -202,7 +204,7 @@ constexpr int kUnitTogether = N == 6 ? 2 : 1;
 /// Returns the first face left.
 template <int N, int kTogether, class D, class Sink>
 HWY_INLINE std::int32_t cornerNormals(D d, const Far::TileStep& step, const Far::TilePoint* faces, int neighbours,
-                                      const Kernels::Outputs& outputs, const float* normals, Sink& sink,
+                                      const Kernels::Outputs& outputs, const float* normals, Sink sink,
                                       std::int32_t g) {
   const int n = N > 0 ? N : step.width;
   const std::size_t stride = at(1 + n * neighbours);
@@ -228,7 +230,7 @@ HWY_INLINE std::int32_t cornerNormals(D d, const Far::TileStep& step, const Far:
 
 template <int N, class Sink>
 void stepCornerNormals(const Far::TileStep& step, const Far::TilePoint* faces, int neighbours,
-                       const Kernels::Outputs& outputs, const float* normals, Sink& sink) {
+                       const Kernels::Outputs& outputs, const float* normals, Sink sink) {
   std::int32_t g = 0;
   const auto upTo = [&](auto d, auto together) HWY_ATTR {
     g = cornerNormals<N, decltype(together)::value>(d, step, faces, neighbours, outputs, normals, sink, g);
@@ -244,7 +246,7 @@ void stepCornerNormals(const Far::TileStep& step, const Far::TilePoint* faces, i
 
 template <class Sink>
 void rowNormals(const Far::TileStep& step, const Far::TilePoint* faces, const Kernels::Outputs& outputs,
-                const float* normals, Sink& sink) {
+                const float* normals, Sink sink) {
   const Block d;
   for (std::int32_t r = 0; r < step.count; ++r) {
     const std::int32_t count = *faces++;
@@ -258,8 +260,8 @@ void rowNormals(const Far::TileStep& step, const Far::TilePoint* faces, const Ke
 }
 
 template <class Sink>
-void vertexNormals(const Far::TileTable& table, const Far::Tile& tile, const Kernels::NormalViews<float>& views) {
-  Sink sink(views.target, views.stream);
+void vertexNormals(const Far::TileTable& table, const Far::Tile& tile, const Kernels::NormalViews<float>& views,
+                   Sink sink) {
   for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
     if (table.normals.firstFace[at(s)] < 0) continue;
     const Far::TileStep& step = table.steps[at(s)];
@@ -274,7 +276,6 @@ void vertexNormals(const Far::TileTable& table, const Far::Tile& tile, const Ker
       });
     }
   }
-  sink.finish();
 }
 
 }  // namespace honeycomb::Osd::Simd::HWY_NAMESPACE

@@ -1,47 +1,19 @@
 // Every batch kind in every layout by every set of instructions that this machine has: the bits of the plain loops, in
 // buffers of exactly the numbers they need.
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <bit>
 #include <stdexcept>
 #include <vector>
 
 #include "osd/cpu_evaluator.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/random_tables.h"
 #include "tests/support/refined.h"
 #include "tests/support/shapes.h"
 
 namespace honeycomb::Test {
 namespace {
-
-/// Makes the kernels use one of Highway's targets while it lives.
-class TargetInUse {
- public:
-  explicit TargetInUse(std::int64_t target) { use(target); }
-  ~TargetInUse() {
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-  TargetInUse(const TargetInUse&) = delete;
-  TargetInUse& operator=(const TargetInUse&) = delete;
-
- private:
-  static void use(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(target);
-  }
-};
-
-/// Those of this machine, and none of them: the plain kernels.
-std::vector<std::int64_t> targets() {
-  std::vector<std::int64_t> result{HWY_SCALAR};
-  for (std::int64_t rest = hwy::SupportedTargets(); rest != 0; rest &= rest - 1) {
-    const std::int64_t target = rest & -rest;
-    if (target != HWY_SCALAR) result.push_back(target);
-  }
-  return result;
-}
 
 struct Layout {
   Osd::BufferDescriptor in, out;

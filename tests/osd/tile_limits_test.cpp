@@ -5,6 +5,7 @@
 #include "osd/tile_evaluator.h"
 #include "tests/osd/tile_surface.h"
 #include "tests/support/creased.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/refined.h"
 #include "tests/support/scheme_list.h"
 #include "tests/support/shapes.h"
@@ -83,6 +84,13 @@ TYPED_TEST(TileLimits, AreThoseOfTheChainUnderEveryScheme) {
       }
     }
   }
+}
+
+TEST(TileLimit, IsTheSameByEverySetOfInstructions) {
+  forEachTarget([] {
+    ASSERT_NO_FATAL_FAILURE(
+        compareLimits<float>(refined(torus(12, 9), schemeCase(NamedTension::paper).scheme, 2, {}, true), 1500, 3));
+  });
 }
 
 TYPED_TEST(TileLimits, AreThoseOfTheChainWithCreases) {

@@ -12,6 +12,7 @@
 #include "osd/tile_evaluator.h"
 #include "tests/osd/tile_surface.h"
 #include "tests/support/creased.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/refined.h"
 #include "tests/support/scheme_list.h"
 #include "tests/support/shapes.h"
@@ -65,6 +66,12 @@ TYPED_TEST(TileNormals, AreThoseOfTheLevelsUnderEveryScheme) {
       ASSERT_NO_FATAL_FAILURE(compare<TypeParam>(refinedBy(scheme, toTopology(mesh), 3), 600, 3));
     }
   }
+}
+
+TEST(TileNormal, IsTheSameByEverySetOfInstructions) {
+  forEachTarget([] {
+    ASSERT_NO_FATAL_FAILURE(compare<float>(refined(torus(12, 9), schemeCase(NamedTension::paper).scheme, 3), 600, 3));
+  });
 }
 
 TYPED_TEST(TileNormals, AreThoseOfTheLevelsWithCreases) {

@@ -9,6 +9,7 @@
 #include "osd/cpu_evaluator.h"
 #include "osd/tile_evaluator.h"
 #include "tests/support/creased.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/refined.h"
 #include "tests/support/same_bits.h"
 #include "tests/support/scheme_list.h"
@@ -124,6 +125,18 @@ TYPED_TEST(Tiles, GiveTheBitsOfTheChainUnderEveryScheme) {
       ASSERT_NO_FATAL_FAILURE(compareAllLevels<TypeParam>(refinedBy(scheme, toTopology(mesh), 3), 600, random));
     }
   }
+}
+
+TEST(Tile, GivesTheBitsOfTheChainByEverySetOfInstructions) {
+  Random random(11);
+  const Far::Refinement quads = refined(torus(12, 9), schemeCase(NamedTension::paper).scheme, 3);
+  const Far::Refinement mixed = refined(randomMesh(3), schemeCase(NamedTension::paper).scheme, 3);
+  forEachTarget([&] {
+    for (int buffers = 0; buffers < 8; ++buffers) {
+      ASSERT_NO_FATAL_FAILURE(compareAllLevels<float>(quads, 600, random));
+      ASSERT_NO_FATAL_FAILURE(compareAllLevels<float>(mixed, 600, random));
+    }
+  });
 }
 
 TYPED_TEST(Tiles, GiveTheBitsOfTheChainWithCreases) {

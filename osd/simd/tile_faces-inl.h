@@ -1,0 +1,171 @@
+// Faces of tiles on vectors, along their chains. Compiled once a Highway target; no include guard but Highway's.
+#if defined(HONEYCOMB_OSD_SIMD_TILE_FACES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef HONEYCOMB_OSD_SIMD_TILE_FACES_INL_H
+#undef HONEYCOMB_OSD_SIMD_TILE_FACES_INL_H
+#else
+#define HONEYCOMB_OSD_SIMD_TILE_FACES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+#include "osd/simd/circulant-inl.h"
+#include "osd/simd/points-inl.h"
+#include "osd/simd/sinks-inl.h"
+#include "osd/tile_kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace honeycomb::Osd::Simd::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Far::CirculantForm;
+using Far::TilePoint;
+using Far::TileStep;
+using Kernels::kTileStride;
+using Kernels::StageTarget;
+
+using Wide = HWY_CAPPED(float, 16);
+
+constexpr int kMostStages = Far::kMaxLevels + 1;
+
+/// The faces of a step on a tile's own points.
+struct StepFaces {
+  const TileStep& step;
+  float* own;
+  const TilePoint* index;
+  std::int32_t stages;
+  StageTarget targets[kMostStages];
+  const float* weights[kMostStages];
+
+  StepFaces(const Far::TileTable& table, const TileStep& s, const Kernels::TileViews<float>& views,
+            std::int32_t stageCount)
+      : step(s), own(views.scratch), index(table.indices.data() + s.firstIndex), stages(stageCount) {
+    for (std::int32_t i = 0; i < stages; ++i) {
+      targets[i] = Kernels::stageTarget(table, s, i, views.level, views.last);
+      weights[i] = table.weightsSingle.data() + table.stages[at(s.firstStage + i)].firstWeight;
+    }
+  }
+};
+
+/// Points of the faces of a vector, `face` and those behind it, to where the tile keeps them.
+template <class D>
+HWY_INLINE void keep(D d, const hn::Vec<D>* out, int n, const StageTarget& stage, std::int32_t face, float* own) {
+  if (face < stage.fours) {
+    constexpr std::int32_t kStep = kTileStride * Far::kTileFours;
+    const std::int32_t among = face % Far::kTileFours;
+    float* p = own + std::size_t{kTileStride} * at(stage.kept + (face - among) * n + among);
+    HWY_UNROLL(8)
+    for (int i = 0; i < n; ++i) hn::StoreU(out[i], d, p + i * kStep);
+  } else {
+    storeFaces<Access::whole>(d, out, n, own + std::size_t{kTileStride} * at(stage.kept + face * n), kTileStride);
+  }
+}
+
+template <class D, class Sink>
+HWY_INLINE void storeStage(D d, const hn::Vec<D>* out, int n, const StageTarget& stage, std::int32_t face, float* own,
+                           Sink sink) {
+  if (stage.kept >= 0) keep(d, out, n, stage, face, own);
+  if (stage.wanted) sink.put(d, out, n, stage.outputs, face);
+}
+
+/// Faces `face`, face + K, .. as long as there are K more, whose matrix is the same at all stages. Returns the first
+/// that is left.
+template <CirculantForm kForm, int N, class D, class Sink>
+HWY_INLINE std::int32_t evolve(D d, const StepFaces& faces, std::int32_t face, Sink sink) {
+  const Circulant<kForm, N, D> kernel(d, faces.weights[0]);
+  float* const own = faces.own;
+  const StageTarget* const first = faces.targets;
+  const StageTarget* const last = first + faces.stages - 1;
+  const TilePoint* index = faces.index + at(face) * N;
+  const std::int32_t end = faces.step.count;
+  for (; face + kBlocks<D> <= end; face += kBlocks<D>, index += kBlocks<D> * N) {
+    hn::Vec<D> p[N];
+    hn::Vec<D> out[N];
+    HWY_UNROLL(8)
+    for (int i = 0; i < N; ++i) p[i] = loadOwn(d, own, index + i, N);
+    for (const StageTarget* stage = first;; ++stage) {
+      kernel(p, out);
+      storeStage(d, out, N, *stage, face, own, sink);
+      if (stage == last) break;
+      HWY_UNROLL(8)
+      for (int i = 0; i < N; ++i) p[i] = out[i];
+    }
+  }
+  return face;
+}
+
+template <CirculantForm kForm, int N, class Sink>
+void facesOfForm(const StepFaces& faces, Sink sink) {
+  const std::int32_t face = evolve<kForm, N>(Wide(), faces, 0, sink);
+  if constexpr (kBlocks < Wide >> 1) evolve<kForm, N>(Block(), faces, face, sink);
+}
+
+/// Faces of any number of sides, or with weights of their own at each stage: one at a time.
+template <class Sink>
+void facesOfAnyKind(const StepFaces& faces, Sink sink) {
+  const Block d;
+  const int n = faces.step.width;
+  BlockVector p[Far::kLargestCirculant];
+  BlockVector out[Far::kLargestCirculant];
+  for (std::int32_t face = 0; face < faces.step.count; ++face) {
+    for (int i = 0; i < n; ++i) p[i] = loadOwn(d, faces.own, faces.index + face * n + i, 1);
+    for (std::int32_t s = 0; s < faces.stages; ++s) {
+      switch (faces.step.form) {
+        case CirculantForm::quad:
+          circulantQuad(WideWeights<Block, 2>(d, faces.weights[s]), p, out);
+          break;
+        case CirculantForm::hexagon:
+          circulantHexagon(WideWeights<Block, 3>(d, faces.weights[s]), p, out);
+          break;
+        default:
+          circulantAnySides(d, faces.weights[s], p, out, n);
+      }
+      storeStage(d, out, n, faces.targets[s], face, faces.own, sink);
+      for (int i = 0; i < n; ++i) p[i] = out[i];
+    }
+  }
+}
+
+/// Faces whose form follows from their number of sides.
+template <class Sink>
+void facesBySides(const StepFaces& faces, Sink sink) {
+#ifndef HONEYCOMB_NARROW_SIMD
+  switch (faces.step.width) {
+    case 3:
+      return facesOfForm<CirculantForm::direct, 3>(faces, sink);
+    case 4:
+      return facesOfForm<CirculantForm::evenOdd, 4>(faces, sink);
+    case 5:
+      return facesOfForm<CirculantForm::direct, 5>(faces, sink);
+    case 6:
+      return facesOfForm<CirculantForm::evenOdd, 6>(faces, sink);
+    case 7:
+      return facesOfForm<CirculantForm::direct, 7>(faces, sink);
+    case 8:
+      return facesOfForm<CirculantForm::evenOdd, 8>(faces, sink);
+    default:
+      break;
+  }
+#endif
+  facesOfAnyKind(faces, sink);
+}
+
+template <class Sink>
+void facesOf(const StepFaces& faces, Sink sink) {
+  if (!faces.step.sameWeights && faces.stages > 1) return facesOfAnyKind(faces, sink);
+  switch (faces.step.form) {
+    case CirculantForm::quad:
+      return facesOfForm<CirculantForm::quad, 4>(faces, sink);
+    case CirculantForm::hexagon:
+      return facesOfForm<CirculantForm::hexagon, 6>(faces, sink);
+    default:
+      return facesBySides(faces, sink);
+  }
+}
+
+}  // namespace honeycomb::Osd::Simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
