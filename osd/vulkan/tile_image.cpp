@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <numeric>
 
 #include "far/base/index.h"
 #include "osd/tile_kernels.h"
@@ -39,11 +40,6 @@ TileWord caseOf(const TileStep& step, std::int32_t kept, bool written) {
   const TileWord first = facesCase(step);
   if (first == kAnySides || !written) return first;
   return first + (kept > 0 ? 1 : 2);
-}
-
-// A tile's points count from 0 in the image.
-TileWord plainNumber(Far::TilePoint point) {
-  return point / 2U;
 }
 
 }  // namespace
@@ -89,7 +85,27 @@ void TileImageBuilder::finish(std::vector<TileImage>& images) {
   weights_.clear();
 }
 
+// The kernels keep a step's points face after face, whatever TilePlaces says.
+void TileImageBuilder::numberPoints(const Far::Tile& tile) {
+  numbers_.resize(at(tile.pointCount));
+  std::iota(numbers_.begin(), numbers_.end(), 0);
+  if (table_.places == Far::TilePlaces::faces) return;
+  for (const TileStep& step : std::span(table_.steps).subspan(at(tile.firstStep), at(tile.stepCount))) {
+    if (step.kind != TileStep::Kind::circulant) continue;
+    for (const Far::TileStage& stage : std::span(table_.stages).subspan(at(step.firstStage), step.stageCount)) {
+      if (stage.firstPoint < 0) continue;
+      TileWord number = static_cast<TileWord>(stage.firstPoint);
+      for (std::int32_t face = 0; face < step.count; ++face) {
+        const Far::FacePlaces places = Far::placesOfFace(table_.places, face, step.count, step.width);
+        const std::int32_t first = stage.firstPoint + places.first;
+        for (std::int32_t i = 0; i < step.width; ++i) numbers_[at(first + i * places.step)] = number++;
+      }
+    }
+  }
+}
+
 void TileImageBuilder::addTile(const Far::Tile& tile) {
+  numberPoints(tile);
   const TileWord firstImport = texels();
   addImports(tile);
   std::vector<TileWord> steps;
@@ -145,8 +161,8 @@ TileWord TileImageBuilder::addRecords(const TileStep& step, bool written, std::i
   const Far::TilePoint* index = table_.indices.data() + step.firstIndex;
   for (std::int32_t item = 0; item < step.count; ++item, index += step.width) {
     for (std::int32_t i = 0; i < step.width; i += 2) {
-      const TileWord second = i + 1 < step.width ? plainNumber(index[i + 1]) : 0;
-      image_.words.push_back(plainNumber(index[i]) | second << 16U);
+      const TileWord second = i + 1 < step.width ? ownNumber(index[i + 1]) : 0;
+      image_.words.push_back(ownNumber(index[i]) | second << 16U);
     }
     const TileWord first = written ? output(step, stage, item) : 0;
     image_.words.push_back(first);
@@ -169,7 +185,7 @@ TileWord TileImageBuilder::addRows(const TileStep& step, bool written) {
   for (const Far::TileRow& row : rows) {
     for (std::int32_t i = 0; i < row.entries; ++i) {
       const float weight = table_.weightsSingle[at(row.firstWeight + i)];
-      image_.words.insert(image_.words.end(), {plainNumber(*index++), std::bit_cast<TileWord>(weight)});
+      image_.words.insert(image_.words.end(), {ownNumber(*index++), std::bit_cast<TileWord>(weight)});
     }
     fillTexel();
   }

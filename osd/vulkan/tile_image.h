@@ -47,6 +47,8 @@ class TileImageBuilder {
   TileWord texels() const { return static_cast<TileWord>(image_.words.size() / kTexelWords); }
   void fillTexel();
   void finish(std::vector<TileImage>& images);
+  void numberPoints(const Far::Tile& tile);
+  TileWord ownNumber(Far::TilePoint point) const { return numbers_[point / 2U]; }
   void addTile(const Far::Tile& tile);
   void addImports(const Far::Tile& tile);
   std::optional<std::array<TileWord, 2 * kTexelWords>> step(const Far::TileStep& step);
@@ -62,6 +64,7 @@ class TileImageBuilder {
   TileImage image_;
   std::vector<TileWord> tiles_;
   std::map<std::int32_t, TileWord> weights_;
+  std::vector<TileWord> numbers_;  ///< of the tile's points in the image
 };
 
 }  // namespace honeycomb::Osd

@@ -43,6 +43,7 @@ struct TileRun {
   TileScratch scratch = TileScratch::buffer;
   Layouts layouts = kPositions[0];
   std::int32_t level = 0;
+  Far::TilePlaces places = Far::TilePlaces::faces;
 };
 
 Far::Refinement aklemanOf(const Meshes::PolyMesh& mesh, std::int32_t levels) {
@@ -73,7 +74,8 @@ class TilesTest : public VulkanTest {
   }
 
   testing::AssertionResult agree(const Far::Refinement& refinement, const TileRun& run) {
-    const Far::TileTable tiles = must(Far::buildTileTable(refinement, {.scratchPoints = run.scratchPoints}));
+    const Far::TileTable tiles =
+        must(Far::buildTileTable(refinement, {.scratchPoints = run.scratchPoints, .places = run.places}));
     const std::int32_t level = run.level == 0 ? refinement.levelCount() : run.level;
     auto table = evaluator->uploadTiles(
         refinement, tiles,
@@ -170,6 +172,13 @@ TEST_F(TilesTest, FromARootLevelBehindTheControlPoints) {
   const Far::Refinement refinement = aklemanOf(Meshes::torus(8, 8), 5);
   ASSERT_GT(must(Far::buildTileTable(refinement, {.scratchPoints = 300})).rootLevel, 1);
   for (const std::int32_t level : {1, 3, 5}) EXPECT_TRUE(agree(refinement, {.scratchPoints = 300, .level = level}));
+}
+
+TEST_F(TilesTest, WhosePointsStandInFoursOfFaces) {
+  const Far::Refinement refinement = aklemanOf(Meshes::grid(9, 8), 3);
+  for (const std::int32_t level : {2, 3}) {
+    EXPECT_TRUE(agree(refinement, {.level = level, .places = Far::TilePlaces::fours}));
+  }
 }
 
 TEST_F(TilesTest, OfASingleFace) {
