@@ -8,45 +8,25 @@
 #include <vector>
 
 #include "far/base/result.h"
-#include "far/topology/polygons.h"
+#include "io/mesh.h"
 
 namespace honeycomb::Io {
 
-/// A Wavefront OBJ mesh: polygons of any side count as they stand in the file, positions in double.
-/// Groups, objects, materials, smoothing and unknown statements are passed over.
-struct ObjMesh {
-  Far::Polygons polygons;
-  std::vector<double> positions;              ///< x y z per vertex
-  std::vector<double> colours;                ///< r g b per vertex, white where the file names none; empty when it
-                                              ///< names none at all
-  std::vector<double> texcoords;              ///< u v per vt
-  std::vector<double> normals;                ///< x y z per vn
-  std::vector<std::int32_t> cornerTexcoords;  ///< per corner: its vt or -1; empty when the file names none
-  std::vector<std::int32_t> cornerNormals;    ///< per corner: its vn or -1; empty when the file names none
-  std::vector<std::int64_t> vertexLines;      ///< 1-based line of each v
-  std::vector<std::int64_t> faceLines;        ///< 1-based line of each f
-  std::vector<std::int64_t> creaseLines;      ///< 1-based line of each of polygons.creases
-  std::vector<std::int64_t> cornerLines;      ///< 1-based line of each of polygons.corners
-
-  std::span<const double> position(std::int64_t v) const {
-    return std::span<const double>(positions).subspan(static_cast<std::size_t>(3 * v), 3);
-  }
-};
-
-/// Reads an OBJ file: negative indices, v/vt/vn in all forms, CRLF, comments, continued lines, any line length. A
-/// positive index may name what the file defines further down. A vertex may carry a weight w, which is passed over, and
-/// a colour; a weight or a missing v of a texture coordinate is passed over or 0. Tags for creases and corners: see
-/// ObjTags. Linear in the file's size. Errors: unreadable; invalidFile with the message "FILE:LINE: what and what to
-/// do" and the line as element, for binary garbage, numbers that can't be read, faces of fewer than three sides, a zero
-/// index, an index out of range, tags that can't be read or obeyed, and with "FILE: ..." for no vertices or no faces;
-/// invalidPositions (element: the vertex, counted from 0) for NaN or infinity in a position, the same in anything else
-/// being invalidFile; tooLarge past 2^31 - 1 vertices or corners; outOfMemory. Whether the polygons form a manifold,
-/// and whether creases lie on their edges, is Far::Topology's business.
-Result<ObjMesh> readObj(const std::filesystem::path& path);
+/// Reads a Wavefront OBJ file; groups, objects, materials, smoothing and unknown statements are passed over: negative
+/// indices, v/vt/vn in all forms, CRLF, comments, continued lines, any line length. A positive index may name what the
+/// file defines further down. A vertex may carry a weight w, which is passed over, and a colour; a weight or a missing
+/// v of a texture coordinate is passed over or 0. Tags for creases and corners: see ObjTags. Linear in the file's size.
+/// Errors: unreadable; invalidFile with the message "FILE:LINE: what and what to do" and the line as element, for
+/// binary garbage, numbers that can't be read, faces of fewer than three sides, a zero index, an index out of range,
+/// tags that can't be read or obeyed, and with "FILE: ..." for no vertices or no faces; invalidPositions (element: the
+/// vertex, counted from 0) for NaN or infinity in a position, the same in anything else being invalidFile; tooLarge
+/// past 2^31 - 1 vertices or corners; outOfMemory. Whether the polygons form a manifold, and whether creases lie on
+/// their edges, is Far::Topology's business.
+Result<Mesh> readObj(const std::filesystem::path& path);
 
 /// The same from a text in memory; `name` stands for the file in messages. `maxElements` limits vertices and corners.
-Result<ObjMesh> parseObj(std::string_view text, std::string_view name,
-                         std::int64_t maxElements = std::numeric_limits<std::int32_t>::max());
+Result<Mesh> parseObj(std::string_view text, std::string_view name,
+                      std::int64_t maxElements = std::numeric_limits<std::int32_t>::max());
 
 /// What writeObj writes. Points are `Real` x y z packed; polygons as face offsets into vertex numbers.
 template <class Real>

@@ -54,7 +54,7 @@ class ObjParser {
   ObjParser(std::string_view text, std::string_view name, std::int64_t maxElements)
       : text_(text), name_(name), maxElements_(maxElements), cursor_(text), tags_(name) {}
 
-  Result<ObjMesh> parse() {
+  Result<Mesh> parse() {
     if (Result<void> head = checkHead(); !head) return tl::unexpected<Error>(head.error());
     while (cursor_.nextStatement()) {
       statementLine_ = cursor_.line();
@@ -101,7 +101,7 @@ class ObjParser {
   Element vertices_{"vertex", "vertices"};
   Element texcoords_{"texture coordinate", "texture coordinates"};
   Element normals_{"normal", "normals"};
-  ObjMesh mesh_;
+  Mesh mesh_;
 };
 
 Result<void> ObjParser::checkHead() const {
@@ -312,7 +312,7 @@ Result<void> ObjParser::checkIndices(const Element& element, std::span<const std
 
 }  // namespace
 
-Result<ObjMesh> parseObj(std::string_view text, std::string_view name, std::int64_t maxElements) {
+Result<Mesh> parseObj(std::string_view text, std::string_view name, std::int64_t maxElements) {
   try {
     return ObjParser(text, name, maxElements).parse();
   } catch (const std::bad_alloc&) {
@@ -320,7 +320,7 @@ Result<ObjMesh> parseObj(std::string_view text, std::string_view name, std::int6
   }
 }
 
-Result<ObjMesh> readObj(const std::filesystem::path& path) {
+Result<Mesh> readObj(const std::filesystem::path& path) {
   const Result<MappedFile> file = MappedFile::open(path);
   if (!file) return tl::unexpected<Error>(file.error());
   file->expectSequentialReads();

@@ -88,7 +88,7 @@ Result<void> ObjTags::checkVertices(const Tag& tag, std::int64_t vertexCount) co
   return {};
 }
 
-Result<void> ObjTags::finish(ObjMesh& mesh) const {
+Result<void> ObjTags::finish(Mesh& mesh) const {
   for (const std::vector<Tag>* tags : {&creases_, &corners_}) {
     for (const Tag& tag : *tags) {
       if (auto sound = checkVertices(tag, mesh.polygons.vertexCount); !sound) return sound;
@@ -98,7 +98,7 @@ Result<void> ObjTags::finish(ObjMesh& mesh) const {
   return addCorners(mesh);
 }
 
-void ObjTags::addCreases(ObjMesh& mesh) const {
+void ObjTags::addCreases(Mesh& mesh) const {
   for (const Tag& tag : creases_) {
     for (std::size_t i = 0; i + 1 < tag.vertices.size(); i += 2) {
       mesh.polygons.creases.push_back({static_cast<std::int32_t>(tag.vertices[i]),
@@ -108,7 +108,7 @@ void ObjTags::addCreases(ObjMesh& mesh) const {
   }
 }
 
-Result<void> ObjTags::addCorners(ObjMesh& mesh) const {
+Result<void> ObjTags::addCorners(Mesh& mesh) const {
   for (const Tag& tag : corners_) {
     for (std::size_t i = 0; i < tag.vertices.size(); ++i) {
       if (tag.sharpnessOf(i) < Far::kSharp) {

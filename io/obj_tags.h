@@ -27,7 +27,7 @@ class ObjTags {
   /// Hands the tags over to a mesh that is complete otherwise. Errors: the same for vertices that it hasn't, and for
   /// corners that are less sharp. Whether creases lie on edges, and corners on a boundary or a crease, is
   /// Far::Topology's business.
-  Result<void> finish(ObjMesh& mesh) const;
+  Result<void> finish(Mesh& mesh) const;
 
  private:
   struct Counts {
@@ -45,8 +45,8 @@ class ObjTags {
   Result<Tag> tag(TextCursor& cursor, std::string_view name) const;
   Result<void> checkCounts(const Tag& tag, std::string_view name) const;
   Result<void> checkVertices(const Tag& tag, std::int64_t vertexCount) const;
-  void addCreases(ObjMesh& mesh) const;
-  Result<void> addCorners(ObjMesh& mesh) const;
+  void addCreases(Mesh& mesh) const;
+  Result<void> addCorners(Mesh& mesh) const;
 
   std::string_view file_;
   std::vector<Tag> creases_, corners_;

@@ -30,7 +30,7 @@ Result<Bench::Mesh> readBenchMesh(const std::string& file, const BenchCommand& c
   if (command.faces)
     return fail(ErrorCode::invalidOption,
                 fmt::format("--faces {}: {} has the faces it has; leave --faces out", *command.faces, file));
-  Result<MeshInput> input = readMesh(file, Isolated::keep);
+  Result<MeshInput> input = readMesh(file, {});
   if (!input) return tl::unexpected(input.error());
   if (keepsCorners(command.scheme)) tagCorners(input->mesh.polygons);
   if (const auto valid = makeTopology(*input); !valid) return tl::unexpected(valid.error());

@@ -25,7 +25,7 @@ struct ConvertCommand {
   std::string to;
   std::optional<double> ratio;
   std::optional<std::int32_t> rows;
-  bool dropIsolated = false;
+  ReadOptions read;
 };
 
 constexpr std::int32_t kDefaultRows = 4;
@@ -146,7 +146,7 @@ Result<void> convert(const ConvertCommand& command, const Session& session) {
   if (const auto format = meshFormat(command.output); !format) return tl::unexpected(format.error());
   const std::array<std::filesystem::path, 1> inputs{command.input};
   if (const auto writable = checkOutput(command.output, inputs); !writable) return writable;
-  const Result<MeshInput> input = readMesh(command.input, command.dropIsolated ? Isolated::drop : Isolated::keep);
+  const Result<MeshInput> input = readMesh(command.input, command.read);
   if (!input) return tl::unexpected(input.error());
   const Result<Converted> converted = convertMesh(command, **target, *input);
   if (!converted) return tl::unexpected(converted.error());
@@ -169,7 +169,7 @@ void addConvert(CLI::App& app, Command& command) {
   subcommand->add_option("--ratio", options->ratio,
                          "truncate: where an edge is cut, in parts of it from either end, between 0 and 0.5 [1/3]");
   subcommand->add_option("--rows", options->rows, "bricks: courses a ring of quads, 1 to 1000 [4]");
-  subcommand->add_flag("--drop-isolated", options->dropIsolated, "Leave out vertices that are in no face");
+  addReadOptions(*subcommand, options->read);
   addSessionOptions(*subcommand, command.session);
   subcommand->callback([options, &command] {
     command.action = [options](const Session& session) { return convert(*options, session); };

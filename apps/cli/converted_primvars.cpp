@@ -22,7 +22,7 @@ Result<std::vector<double>> applyRows(const Far::Conversion& conversion, std::sp
 /// source follow each other, and each source's corners are looked up once.
 class CornerValues {
  public:
-  CornerValues(const Io::ObjMesh& mesh, const Far::Conversion& conversion)
+  CornerValues(const Io::Mesh& mesh, const Far::Conversion& conversion)
       : mesh_(mesh),
         conversion_(conversion),
         cornerAt_(at(conversion.sourceCount), -1),
@@ -92,7 +92,7 @@ class CornerValues {
     return value;
   }
 
-  const Io::ObjMesh& mesh_;
+  const Io::Mesh& mesh_;
   const Far::Conversion& conversion_;
   std::int32_t face_ = -1;
   std::vector<std::int64_t> cornerAt_;  // per vertex of the source mesh: the corner of the last face that has it

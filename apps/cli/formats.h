@@ -15,7 +15,7 @@ namespace honeycomb::Cli {
 /// A file format for meshes. A new one is one line of the table in formats.cpp.
 struct MeshFormat {
   std::string_view name;  ///< the extension with its dot, in lower case
-  Result<Io::ObjMesh> (*read)(const std::filesystem::path&);
+  Result<Io::Mesh> (*read)(const std::filesystem::path&);
   Result<void> (*writeSingle)(const std::filesystem::path&, const Io::ObjContent<float>&);
   Result<void> (*writeDouble)(const std::filesystem::path&, const Io::ObjContent<double>&);
 

@@ -16,7 +16,7 @@ struct InfoCommand {
   std::string input;  ///< empty: the machine
   std::optional<std::int32_t> levels;
   SchemeOptions scheme;
-  bool dropIsolated = false;
+  ReadOptions read;
 };
 
 Result<void> printDefects(const Session& session, const MeshInput& input, const std::vector<Far::Defect>& defects) {
@@ -28,7 +28,7 @@ Result<void> printDefects(const Session& session, const MeshInput& input, const 
 Result<void> infoOfMesh(const InfoCommand& command, const Session& session) {
   const Result<ChainRequest> request = readChain(command.scheme, command.levels, {kDefaultLevels, 0});
   if (!request) return tl::unexpected(request.error());
-  Result<MeshInput> input = readMesh(command.input, command.dropIsolated ? Isolated::drop : Isolated::keep);
+  Result<MeshInput> input = readMesh(command.input, command.read);
   if (!input) return tl::unexpected(input.error());
   const std::vector<Far::Defect> defects = Far::findDefects(input->mesh.polygons);
   if (!defects.empty()) return printDefects(session, *input, defects);
@@ -56,7 +56,7 @@ void addInfo(CLI::App& app, Command& command) {
   subcommand->add_option("--levels", options->levels, "Levels to predict; of a chain, their sum")
       ->default_str(std::to_string(kDefaultLevels));
   options->scheme.addTo(*subcommand);
-  subcommand->add_flag("--drop-isolated", options->dropIsolated, "Leave out vertices that are in no face");
+  addReadOptions(*subcommand, options->read);
   addSessionOptions(*subcommand, command.session);
   subcommand->callback(
       [options, &command] { command.action = [options](const Session& session) { return info(*options, session); }; });

@@ -29,15 +29,16 @@ std::vector<Number> gathered(const std::vector<Number>& values, const std::vecto
 
 /// Removes the vertices of no face, but those that a crease names, by mistake; the others keep their order.
 void dropIsolated(MeshInput& input) {
-  Io::ObjMesh& mesh = input.mesh;
+  Io::Mesh& mesh = input.mesh;
   std::vector<std::int32_t> mentions = cornersPerVertex(mesh.polygons);
   for (const Far::Crease& crease : mesh.polygons.creases)
     mentions[at(crease.vertex0)] = mentions[at(crease.vertex1)] = 1;
   if (std::find(mentions.begin(), mentions.end(), 0) == mentions.end()) return;
   std::vector<std::int32_t> mentioned;
-  for (std::int32_t v = 0; v < input.fileVertices; ++v) {
+  for (std::int32_t v = 0; v < input.mesh.polygons.vertexCount; ++v) {
     if (mentions[at(v)] != 0) mentioned.push_back(v);
   }
+  input.isolated = input.mesh.polygons.vertexCount - static_cast<std::int64_t>(mentioned.size());
   renumberVertices(input, mentioned);
 }
 
@@ -51,7 +52,7 @@ Far::Defect inFileNumbers(const MeshInput& input, Far::Defect defect) {
 }
 
 /// The line of the tag that a defect is about, or else of its face or vertex.
-std::int64_t lineOf(const Io::ObjMesh& mesh, const Far::Defect& defect) {
+std::int64_t lineOf(const Io::Mesh& mesh, const Far::Defect& defect) {
   const bool crease = defect.kind == Far::DefectKind::creaseSharpness ||
                       defect.kind == Far::DefectKind::creaseConflict ||
                       defect.kind == Far::DefectKind::creaseWithoutEdge;
@@ -67,14 +68,14 @@ std::int64_t lineOf(const Io::ObjMesh& mesh, const Far::Defect& defect) {
 
 }  // namespace
 
-Result<MeshInput> readMesh(const std::string& file, Isolated isolated) {
+Result<MeshInput> readMesh(const std::string& file, const ReadOptions& options) {
   const Result<const MeshFormat*> format = meshFormat(file);
   if (!format) return tl::unexpected(format.error());
-  Result<Io::ObjMesh> mesh = (*format)->read(file);
+  Result<Io::Mesh> mesh = (*format)->read(file);
   if (!mesh) return tl::unexpected(inFile(file, mesh.error()));
-  MeshInput input{file, std::move(*mesh), 0, {}, {}};
+  MeshInput input{file, std::move(*mesh), 0, {}, {}, 0, {}};
   input.fileVertices = input.mesh.polygons.vertexCount;
-  if (isolated == Isolated::drop) dropIsolated(input);
+  if (options.dropIsolated) dropIsolated(input);
   return input;
 }
 
@@ -111,7 +112,7 @@ Result<Far::Topology> makeTopology(const MeshInput& input, Far::FaceOrder order)
 }
 
 void renumberVertices(MeshInput& input, const std::vector<std::int32_t>& order) {
-  Io::ObjMesh& mesh = input.mesh;
+  Io::Mesh& mesh = input.mesh;
   std::vector<std::int32_t> renumbered(at(mesh.polygons.vertexCount), -1);
   std::vector<std::int32_t> kept(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/cli/read_options.h"
 #include "far/base/result.h"
 #include "far/topology/defects.h"
 #include "far/topology/topology.h"
@@ -16,19 +17,20 @@ namespace honeycomb::Cli {
 /// A mesh as read from a file, perhaps without its isolated vertices, perhaps with its vertices in another order.
 struct MeshInput {
   std::string file;  ///< as the user wrote it
-  Io::ObjMesh mesh;
+  Io::Mesh mesh;
   std::int32_t fileVertices = 0;   ///< vertices in the file
   std::vector<std::int32_t> kept;  ///< 0-based number in the file of each vertex of `mesh`; empty: all are there
   std::shared_ptr<const Io::FrameSource> frames;  ///< the file's own animation, all fileVertices; null: one pose only
+  std::int64_t isolated = 0;                      ///< vertices that were left out
+  std::vector<std::string> notes;                 ///< what was left out or changed while reading, a sentence each
 
-  std::int64_t dropped() const { return fileVertices - mesh.polygons.vertexCount; }
+  std::int64_t dropped() const { return isolated; }
   std::int64_t fileVertex(std::int64_t v) const { return kept.empty() ? v : kept[static_cast<std::size_t>(v)]; }
 };
 
-enum class Isolated { keep, drop };
-
-/// Reads a mesh in any of the formats there are. Errors: those of the reader, naming file and line.
-Result<MeshInput> readMesh(const std::string& file, Isolated isolated);
+/// Reads a mesh in any of the formats there are. Errors: those of the reader, naming file and line; invalidOption for
+/// what the format hasn't.
+Result<MeshInput> readMesh(const std::string& file, const ReadOptions& options);
 
 /// A defect as the owner of the file sees it.
 struct DefectReport {

@@ -54,7 +54,7 @@ Result<void> refineTexcoords(const MeshInput& input, const Far::Refinement& refi
 
 }  // namespace
 
-std::optional<std::vector<double>> texcoordsOfVertices(const Io::ObjMesh& mesh) {
+std::optional<std::vector<double>> texcoordsOfVertices(const Io::Mesh& mesh) {
   std::vector<double> values(mesh.positions.size());
   std::vector<std::uint8_t> known(at(mesh.polygons.vertexCount));
   for (std::size_t c = 0; c < mesh.cornerTexcoords.size(); ++c) {
@@ -71,7 +71,7 @@ std::optional<std::vector<double>> texcoordsOfVertices(const Io::ObjMesh& mesh) 
 
 // The values are static and few against a frame's points: the CPU refines them, with the bits of any backend.
 template <class Real>
-Result<void> refineFaceVarying(const Io::ObjMesh& mesh, const Far::Refinement& refinement, Primvars<Real>& primvars) {
+Result<void> refineFaceVarying(const Io::Mesh& mesh, const Far::Refinement& refinement, Primvars<Real>& primvars) {
   constexpr Osd::BufferDescriptor kPairs{0, 2, 2};
   std::vector<double> values = mesh.texcoords;
   std::vector<std::int32_t> corners = mesh.cornerTexcoords;
@@ -91,8 +91,8 @@ Result<void> refineFaceVarying(const Io::ObjMesh& mesh, const Far::Refinement& r
   primvars.cornerTexcoords = varying->last().corners;
   return {};
 }
-template Result<void> refineFaceVarying(const Io::ObjMesh&, const Far::Refinement&, Primvars<float>&);
-template Result<void> refineFaceVarying(const Io::ObjMesh&, const Far::Refinement&, Primvars<double>&);
+template Result<void> refineFaceVarying(const Io::Mesh&, const Far::Refinement&, Primvars<float>&);
+template Result<void> refineFaceVarying(const Io::Mesh&, const Far::Refinement&, Primvars<double>&);
 
 template <class Real>
 Result<Primvars<Real>> refinePrimvars(const MeshInput& input, const Far::Refinement& refinement, bool centralPoints,

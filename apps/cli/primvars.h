@@ -36,10 +36,10 @@ Result<Primvars<Real>> refinePrimvars(const MeshInput& input, const Far::Refinem
                                       SurfaceEvaluator& evaluator);
 
 /// u v 0 of each vertex, where no corner says otherwise or has none: else nothing, there are seams.
-std::optional<std::vector<double>> texcoordsOfVertices(const Io::ObjMesh& mesh);
+std::optional<std::vector<double>> texcoordsOfVertices(const Io::Mesh& mesh);
 
 /// The texture coordinates of a mesh that has seams, refined on the CPU into those of `primvars`.
 template <class Real>
-Result<void> refineFaceVarying(const Io::ObjMesh& mesh, const Far::Refinement& refinement, Primvars<Real>& primvars);
+Result<void> refineFaceVarying(const Io::Mesh& mesh, const Far::Refinement& refinement, Primvars<Real>& primvars);
 
 }  // namespace honeycomb::Cli

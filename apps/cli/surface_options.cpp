@@ -34,7 +34,7 @@ void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options) {
                       " (neighbours near each other: faster where the file's order is random). The surface is the "
                       "same, its points and faces come in another order")
       ->capture_default_str();
-  subcommand.add_flag("--drop-isolated", options.dropIsolated, "Leave out vertices that are in no face");
+  addReadOptions(subcommand, options.read);
 }
 
 Result<SurfacePlan> planSurface(const SurfaceOptions& options, int bytesPerNumber, const LevelChoice& levels) {
@@ -48,7 +48,7 @@ Result<SurfacePlan> planSurface(const SurfaceOptions& options, int bytesPerNumbe
     return fail(ErrorCode::invalidOption,
                 fmt::format("--precision double: the {} backend has single precision only; use serial or tbb",
                             options.backend));
-  Result<MeshInput> input = readMesh(options.input, options.dropIsolated ? Isolated::drop : Isolated::keep);
+  Result<MeshInput> input = readMesh(options.input, options.read);
   if (!input) return tl::unexpected(input.error());
   Result<ControlMesh> mesh = prepareControl(std::move(*input), options.scheme, *request, (*order)->order);
   if (!mesh) return tl::unexpected(mesh.error());

@@ -25,10 +25,10 @@ struct SurfaceOptions {
   SchemeOptions scheme;
   std::string backend = "auto";
   std::string order = "input";
-  bool dropIsolated = false;
+  ReadOptions read;
 };
 
-/// Adds --levels, the scheme's options, --backend, --order and --drop-isolated.
+/// Adds --levels, the scheme's options, --backend, --order and what addReadOptions adds.
 void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options);
 
 /// An input, checked and opened: nothing that the tables need is missing, and nothing of them is built.

@@ -11,7 +11,7 @@ namespace honeycomb::Demo {
 /// A mesh and how its vertices move.
 struct Animation {
   std::string name;  ///< of the mesh's file
-  Io::ObjMesh mesh;
+  Io::Mesh mesh;
   Io::Pc2Reader cache;
 };
 

@@ -23,7 +23,7 @@ struct Texture {
   std::vector<std::int32_t> corners;
 };
 
-glm::dvec3 pointOf(const Io::ObjMesh& mesh, std::int32_t v) {
+glm::dvec3 pointOf(const Io::Mesh& mesh, std::int32_t v) {
   const auto p = mesh.position(v);
   return {p[0], p[1], p[2]};
 }
@@ -34,7 +34,7 @@ std::span<const std::int32_t> loopOf(const Far::Polygons& polygons, std::int64_t
 }
 
 /// The side of a box that a face looks towards: 2 axis + 1, or + 0 where it looks down the axis.
-std::int32_t chartOf(const Io::ObjMesh& mesh, std::span<const std::int32_t> loop) {
+std::int32_t chartOf(const Io::Mesh& mesh, std::span<const std::int32_t> loop) {
   glm::dvec3 normal(0);
   for (std::size_t k = 0; k < loop.size(); ++k)
     normal += glm::cross(pointOf(mesh, loop[k]), pointOf(mesh, loop[(k + 1) % loop.size()]));
@@ -46,7 +46,7 @@ std::int32_t chartOf(const Io::ObjMesh& mesh, std::span<const std::int32_t> loop
 
 /// Six charts, the mesh seen from the sides of a box, each on its tile of the texture: three tiles beside each other,
 /// two rows. Corners of a vertex in one chart share a value: seams run where faces of two charts meet.
-Texture boxCharts(const Io::ObjMesh& mesh) {
+Texture boxCharts(const Io::Mesh& mesh) {
   const std::int32_t vertexCount = mesh.polygons.vertexCount;
   glm::dvec3 lower = pointOf(mesh, 0), upper = lower;
   for (std::int32_t v = 1; v < vertexCount; ++v) {
@@ -74,7 +74,7 @@ Texture boxCharts(const Io::ObjMesh& mesh) {
 
 /// The same with a single value for each vertex, that of its first corner: what is left of charts where texture
 /// coordinates are a primvar of the vertices.
-Texture ofVertices(const Io::ObjMesh& mesh, Texture texture) {
+Texture ofVertices(const Io::Mesh& mesh, Texture texture) {
   std::vector<std::int32_t> first(at(mesh.polygons.vertexCount), -1);
   for (std::size_t c = 0; c < texture.corners.size(); ++c) {
     std::int32_t& value = first[at(mesh.polygons.indices[c])];

@@ -19,14 +19,14 @@ class ConvertTest : public Workplace {
     all.insert(all.end(), options.begin(), options.end());
     return all;
   }
-  Io::ObjMesh convert(const std::string& in, const std::string& to,
+  Io::Mesh convert(const std::string& in, const std::string& to,
                       const std::vector<std::string>& options = {}) const {
     const Outcome outcome = run(arguments(in, to, options));
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     return *Io::readObj(path("out.obj"));
   }
-  static std::vector<std::int64_t> sides(const Io::ObjMesh& mesh) {
+  static std::vector<std::int64_t> sides(const Io::Mesh& mesh) {
     std::vector<std::int64_t> result;
     for (std::size_t f = 0; f + 1 < mesh.polygons.faceOffsets.size(); ++f)
       result.push_back(mesh.polygons.faceOffsets[f + 1] - mesh.polygons.faceOffsets[f]);
@@ -35,7 +35,7 @@ class ConvertTest : public Workplace {
 };
 
 TEST_F(ConvertTest, DualOfTheCubeIsTheOctahedronFacingOutwards) {
-  const Io::ObjMesh dual = convert(file("cube.obj", cubeObj()), "dual");
+  const Io::Mesh dual = convert(file("cube.obj", cubeObj()), "dual");
   ASSERT_EQ(dual.polygons.vertexCount, 6);
   EXPECT_EQ(sides(dual), std::vector<std::int64_t>(8, 3));
   // Vertex f is the centre of face f, in the order of the file.
@@ -54,7 +54,7 @@ TEST_F(ConvertTest, DualOfTheCubeIsTheOctahedronFacingOutwards) {
 }
 
 TEST_F(ConvertTest, DualOfABorderedMeshHasAFaceForEachInsideVertex) {
-  const Io::ObjMesh dual = convert(file("grid.obj", gridObj(5)), "dual");
+  const Io::Mesh dual = convert(file("grid.obj", gridObj(5)), "dual");
   EXPECT_EQ(dual.polygons.vertexCount, 25);
   EXPECT_EQ(sides(dual), std::vector<std::int64_t>(16, 4));
 }
@@ -66,7 +66,7 @@ TEST_F(ConvertTest, FacesWithoutInsideVerticesMakeNoDualVertex) {
 }
 
 TEST_F(ConvertTest, TrianglesFanFromTheMeanOfEachFace) {
-  const Io::ObjMesh triangles = convert(file("cube.obj", cubeObj()), "triangles");
+  const Io::Mesh triangles = convert(file("cube.obj", cubeObj()), "triangles");
   EXPECT_EQ(triangles.polygons.vertexCount, 14);
   EXPECT_EQ(sides(triangles), std::vector<std::int64_t>(24, 3));
   // f 1 4 3 2 is the first face, its centre the ninth vertex.
@@ -77,7 +77,7 @@ TEST_F(ConvertTest, TrianglesFanFromTheMeanOfEachFace) {
 
 TEST_F(ConvertTest, OrderOfFacesIsTheFilesWhateverTheirSides) {
   const std::string obj = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 4 1 0\nf 1 2 3 4\nf 2 5 3\n";
-  const Io::ObjMesh triangles = convert(file("mixed.obj", obj), "triangles");
+  const Io::Mesh triangles = convert(file("mixed.obj", obj), "triangles");
   EXPECT_THAT(triangles.position(5), testing::ElementsAre(1, 1, 0));
   EXPECT_THAT(triangles.polygons.indices[2], 5);
   EXPECT_THAT(triangles.polygons.indices[14], 6);
@@ -102,23 +102,23 @@ TEST_F(ConvertTest, UnknownTargetIsRefusedWithAList) {
 
 TEST_F(ConvertTest, TruncateCutsCornersAtTheRatio) {
   const std::string cube = file("cube.obj", cubeObj());
-  const Io::ObjMesh third = convert(cube, "truncate");
+  const Io::Mesh third = convert(cube, "truncate");
   EXPECT_EQ(third.polygons.vertexCount, 24);
   EXPECT_EQ(std::ranges::count(sides(third), 8), 6);
   EXPECT_EQ(std::ranges::count(sides(third), 3), 8);
   EXPECT_THAT(third.positions, testing::Contains(testing::DoubleNear(1.0 / 3, 1e-15)));
-  const Io::ObjMesh quarter = convert(cube, "truncate", {"--ratio", "0.25"});
+  const Io::Mesh quarter = convert(cube, "truncate", {"--ratio", "0.25"});
   EXPECT_THAT(quarter.positions, testing::Each(testing::AnyOf(0, 0.25, 0.75, 1)));
 }
 
 TEST_F(ConvertTest, QuadsCutFacesOfEvenSides) {
-  const Io::ObjMesh quads = convert(file("cube.obj", cubeObj()), "quads");
+  const Io::Mesh quads = convert(file("cube.obj", cubeObj()), "quads");
   EXPECT_EQ(quads.polygons.vertexCount, 14);
   EXPECT_EQ(sides(quads), std::vector<std::int64_t>(12, 4));
 }
 
 TEST_F(ConvertTest, HexagonalMeshesHaveThreeEdgesAVertex) {
-  const Io::ObjMesh torus = convert(file("torus.obj", torusObj(6)), "hexagonal");
+  const Io::Mesh torus = convert(file("torus.obj", torusObj(6)), "hexagonal");
   EXPECT_EQ(torus.polygons.vertexCount, 144);
   EXPECT_EQ(torus.polygons.indices.size(), 3U * 144U);
 }
@@ -126,8 +126,8 @@ TEST_F(ConvertTest, HexagonalMeshesHaveThreeEdgesAVertex) {
 TEST_F(ConvertTest, InverseDualHasTheVerticesAsCentroids) {
   // Cut from its centres, the cube has colours that balance.
   convert(file("cube.obj", cubeObj()), "triangles");
-  const Io::ObjMesh triangles = *Io::readObj(path("out.obj"));
-  const Io::ObjMesh inverse = convert(file("triangles.obj", read("out.obj")), "inverse-dual");
+  const Io::Mesh triangles = *Io::readObj(path("out.obj"));
+  const Io::Mesh inverse = convert(file("triangles.obj", read("out.obj")), "inverse-dual");
   ASSERT_EQ(inverse.polygons.faceCount(), 14);
   for (std::size_t f = 0; f < 14; ++f) {
     const auto begin = static_cast<std::size_t>(inverse.polygons.faceOffsets[f]);
@@ -219,14 +219,14 @@ std::string chartedCubeObj() {
 TEST_F(ConvertTest, ColoursComeAlong) {
   const std::string cube = file("cube.obj", chartedCubeObj());
   for (const std::string to : {"dual", "truncate", "triangles", "quads", "hexagonal", "bricks"}) {
-    const Io::ObjMesh mesh = convert(cube, to);
+    const Io::Mesh mesh = convert(cube, to);
     ASSERT_EQ(mesh.colours.size(), mesh.positions.size()) << to;
     for (std::size_t i = 0; i < mesh.colours.size(); ++i) ASSERT_NEAR(mesh.colours[i], mesh.positions[i], 1e-12) << to;
   }
 }
 
 /// u and v of each corner of face f.
-std::vector<double> faceTexcoords(const Io::ObjMesh& mesh, std::size_t f) {
+std::vector<double> faceTexcoords(const Io::Mesh& mesh, std::size_t f) {
   std::vector<double> values;
   for (auto c = mesh.polygons.faceOffsets[f]; c < mesh.polygons.faceOffsets[f + 1]; ++c) {
     const auto t = 2 * static_cast<std::ptrdiff_t>(mesh.cornerTexcoords[static_cast<std::size_t>(c)]);
@@ -237,11 +237,11 @@ std::vector<double> faceTexcoords(const Io::ObjMesh& mesh, std::size_t f) {
 
 TEST_F(ConvertTest, ChartsStayApartWhereFacesAreCut) {
   const std::string cube = file("cube.obj", chartedCubeObj());
-  const Io::ObjMesh triangles = convert(cube, "triangles");
+  const Io::Mesh triangles = convert(cube, "triangles");
   ASSERT_EQ(triangles.cornerTexcoords.size(), 72U);
   EXPECT_THAT(faceTexcoords(triangles, 0), testing::ElementsAre(0, 0, 1, 0, 0.5, 0.5));
   EXPECT_THAT(faceTexcoords(triangles, 23), testing::ElementsAre(10, 1, 10, 0, 10.5, 0.5));
-  const Io::ObjMesh quads = convert(cube, "quads");
+  const Io::Mesh quads = convert(cube, "quads");
   ASSERT_EQ(quads.cornerTexcoords.size(), 48U);
   EXPECT_THAT(faceTexcoords(quads, 2), testing::ElementsAre(2.5, 0.5, 2, 0, 3, 0, 3, 1));
 }
@@ -251,7 +251,7 @@ TEST_F(ConvertTest, ChartsGoOnBeyondTheirSeamWhereCornersAreCut) {
   convert(cube, "quads");
   const std::string quads = file("quads.obj", read("out.obj"));
   for (const auto& [in, to] : {std::pair{cube, "truncate"}, {quads, "hexagonal"}}) {
-    const Io::ObjMesh mesh = convert(in, to);
+    const Io::Mesh mesh = convert(in, to);
     ASSERT_EQ(mesh.cornerTexcoords.size(), mesh.polygons.indices.size()) << to;
     ASSERT_GE(mesh.polygons.faceCount(), 14) << to;
     for (std::size_t f = 0; f < static_cast<std::size_t>(mesh.polygons.faceCount()); ++f) {
@@ -272,7 +272,7 @@ TEST_F(ConvertTest, TextureWithoutSeamsComesAlong) {
   std::string obj = gridObj(4), corners;
   for (int i = 0; i < 25; ++i) obj += "vt " + std::to_string(i % 5 * 2) + " " + std::to_string(i / 5 * 3) + "\n";
   for (const char c : obj.substr(obj.find("f "), obj.find("vt ") - obj.find("f "))) corners += c;
-  const Io::ObjMesh plain = convert(file("plain.obj", gridObj(4)), "dual");
+  const Io::Mesh plain = convert(file("plain.obj", gridObj(4)), "dual");
   EXPECT_TRUE(plain.cornerTexcoords.empty());
   std::string textured = obj.substr(0, obj.find("f ")) + obj.substr(obj.find("vt "));
   std::istringstream lines(corners);
@@ -281,7 +281,7 @@ TEST_F(ConvertTest, TextureWithoutSeamsComesAlong) {
     textured += "f";
     for (std::string v; numbers >> v;) textured += " " + v + "/" + v;
   }
-  const Io::ObjMesh dual = convert(file("textured.obj", textured), "dual");
+  const Io::Mesh dual = convert(file("textured.obj", textured), "dual");
   EXPECT_EQ(dual.cornerTexcoords, dual.polygons.indices);
   for (std::size_t v = 0; v < 16; ++v) EXPECT_NEAR(dual.texcoords[2 * v], 8 * dual.positions[3 * v], 1e-12);
 }

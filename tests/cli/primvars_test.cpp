@@ -35,19 +35,19 @@ std::string cylinderObj(bool colours, bool seam) {
 
 class PrimvarsTest : public Workplace {
  protected:
-  Io::ObjMesh refined(const std::string& obj, const std::vector<std::string>& options) const {
+  Io::Mesh refined(const std::string& obj, const std::vector<std::string>& options) const {
     std::vector<std::string> arguments{"refine", file("in.obj", obj), path("out.obj"), "--precision", "double"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto mesh = Io::readObj(path("out.obj"));
     EXPECT_TRUE(mesh);
-    return mesh ? *mesh : Io::ObjMesh{};
+    return mesh ? *mesh : Io::Mesh{};
   }
 };
 
 /// The largest difference of u between the corners of one face.
-double widestFace(const Io::ObjMesh& mesh) {
+double widestFace(const Io::Mesh& mesh) {
   double widest = 0;
   for (std::size_t f = 0; f + 1 < mesh.polygons.faceOffsets.size(); ++f) {
     double low = 1e9, high = -1e9;
@@ -68,7 +68,7 @@ const std::vector<std::vector<std::string>> kSchemes{{"--scheme", "akleman"},
 
 TEST_F(PrimvarsTest, ColoursAreRefinedAsPositionsAre) {
   for (const auto& scheme : kSchemes) {
-    const Io::ObjMesh mesh = refined(cylinderObj(true, true), scheme);
+    const Io::Mesh mesh = refined(cylinderObj(true, true), scheme);
     ASSERT_EQ(mesh.colours.size(), mesh.positions.size()) << scheme[1];
     for (std::size_t i = 0; i < mesh.colours.size(); ++i) ASSERT_NEAR(mesh.colours[i], mesh.positions[i] / 2, 1e-5);
   }
@@ -76,7 +76,7 @@ TEST_F(PrimvarsTest, ColoursAreRefinedAsPositionsAre) {
 
 TEST_F(PrimvarsTest, TextureCoordinatesWithoutASeamAreOneAVertex) {
   for (const auto& scheme : kSchemes) {
-    const Io::ObjMesh mesh = refined(cylinderObj(false, false), scheme);
+    const Io::Mesh mesh = refined(cylinderObj(false, false), scheme);
     EXPECT_TRUE(mesh.colours.empty());
     EXPECT_EQ(mesh.cornerTexcoords, mesh.polygons.indices) << scheme[1];
     EXPECT_LT(widestFace(mesh), 1.5 / kAround);
@@ -85,7 +85,7 @@ TEST_F(PrimvarsTest, TextureCoordinatesWithoutASeamAreOneAVertex) {
 
 TEST_F(PrimvarsTest, TextureIsNotSmearedAcrossASeam) {
   for (const auto& scheme : kSchemes) {
-    const Io::ObjMesh mesh = refined(cylinderObj(false, true), scheme);
+    const Io::Mesh mesh = refined(cylinderObj(false, true), scheme);
     EXPECT_GT(mesh.texcoords.size(), 2 * mesh.positions.size() / 3) << scheme[1];
     EXPECT_LT(widestFace(mesh), 1.5 / kAround) << scheme[1];
     double least = 1;
@@ -98,7 +98,7 @@ TEST_F(PrimvarsTest, TextureOfATessellationIsNotSmearedAcrossASeam) {
   for (const std::string normals : {"none", "exact"}) {
     const std::vector<std::string> options{"--scheme",     "half-box", "--levels",  "1",
                                            "--tessellate", "3",        "--normals", normals};
-    const Io::ObjMesh mesh = refined(cylinderObj(false, true), options);
+    const Io::Mesh mesh = refined(cylinderObj(false, true), options);
     ASSERT_EQ(mesh.cornerTexcoords.size(), mesh.polygons.indices.size());
     EXPECT_LT(widestFace(mesh), 0.5 / kAround);
     // v is z / 3 everywhere, in whatever chart: nothing is off the surface.
@@ -112,7 +112,7 @@ TEST_F(PrimvarsTest, TextureOfATessellationIsNotSmearedAcrossASeam) {
 TEST_F(PrimvarsTest, FacesWithoutTextureCoordinatesAreAtZero) {
   std::string obj = cylinderObj(false, true);
   obj.replace(obj.rfind("f "), std::string::npos, "f 24 17 25 32\n");
-  const Io::ObjMesh mesh = refined(obj, {"--levels", "1"});
+  const Io::Mesh mesh = refined(obj, {"--levels", "1"});
   int atZero = 0;
   for (std::size_t f = 0; f + 1 < mesh.polygons.faceOffsets.size(); ++f) {
     bool zero = true;
@@ -155,7 +155,7 @@ TEST_F(PrimvarsTest, IsolatedVerticesTakeTheirColoursAlong) {
     }
     shifted += line + "\n";
   }
-  const Io::ObjMesh mesh = refined(shifted, {"--drop-isolated"});
+  const Io::Mesh mesh = refined(shifted, {"--drop-isolated"});
   ASSERT_EQ(mesh.colours.size(), mesh.positions.size());
   for (std::size_t i = 0; i < mesh.colours.size(); ++i) ASSERT_NEAR(mesh.colours[i], mesh.positions[i] / 2, 1e-5);
 }

@@ -156,7 +156,7 @@ TEST(ObjErrors, TooManyVerticesOrCorners) {
 TEST(ObjErrors, FilesTheSystemRefuses) {
   const TemporaryFolder folder;
   const std::string missing = (folder / "missing.obj").string();
-  const Result<ObjMesh> absent = readObj(missing);
+  const Result<Mesh> absent = readObj(missing);
   ASSERT_FALSE(absent);
   EXPECT_EQ(absent.error().code, ErrorCode::unreadable);
   EXPECT_EQ(absent.error().message, missing + ": cannot be read: No such file or directory; check the path");
@@ -165,7 +165,7 @@ TEST(ObjErrors, FilesTheSystemRefuses) {
   writeBytes(locked, "v 0 0 0\n");
   ASSERT_EQ(::chmod(locked.c_str(), 0), 0);
   const Unprivileged guard;
-  const Result<ObjMesh> denied = readObj(locked);
+  const Result<Mesh> denied = readObj(locked);
   ASSERT_FALSE(denied);
   EXPECT_EQ(denied.error().message, locked + ": cannot be read: Permission denied; check the permissions");
 }
@@ -174,7 +174,7 @@ TEST(ObjErrors, MessagesNameThePathAsGiven) {
   const TemporaryFolder folder;
   writeBytes(folder / "a.obj", "v 0 0 zero\n");
   const std::string path = (folder.path() / "." / "a.obj").string();
-  const Result<ObjMesh> mesh = readObj(path);
+  const Result<Mesh> mesh = readObj(path);
   ASSERT_FALSE(mesh);
   EXPECT_EQ(mesh.error().message.substr(0, path.size() + 10), path + ":1: 'zero'");
 }

@@ -15,7 +15,7 @@ namespace {
 using testing::ElementsAre;
 
 TEST(ObjReader, KeepsPolygonsOfAnySideCount) {
-  const ObjMesh mesh = parsed("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 2\nf 1 2 3\nf 1 2 3 4\nf 5 4 3 2 1\n");
+  const Mesh mesh = parsed("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 2\nf 1 2 3\nf 1 2 3 4\nf 5 4 3 2 1\n");
   EXPECT_EQ(mesh.polygons.vertexCount, 5);
   EXPECT_THAT(mesh.polygons.faceOffsets, ElementsAre(0, 3, 7, 12));
   EXPECT_EQ(mesh.polygons.indices, (Indices{0, 1, 2, 0, 1, 2, 3, 4, 3, 2, 1, 0}));
@@ -24,25 +24,25 @@ TEST(ObjReader, KeepsPolygonsOfAnySideCount) {
 }
 
 TEST(ObjReader, ReadsNumbersInEveryNotation) {
-  const ObjMesh mesh = parsed("v +1 -2.5 .5\nv 1e-3 1E+2 3.\nv 0.1 1e-400 -0\nf 1 2 3\n");
+  const Mesh mesh = parsed("v +1 -2.5 .5\nv 1e-3 1E+2 3.\nv 0.1 1e-400 -0\nf 1 2 3\n");
   EXPECT_EQ(mesh.positions, (Numbers{1, -2.5, .5, 1e-3, 1e2, 3, 0.1, 0, -0.0}));
   EXPECT_TRUE(std::signbit(mesh.positions[8]));
 }
 
 TEST(ObjReader, PassesOverWeightOfVertices) {
-  const ObjMesh mesh = parsed("v 1 2 3 1\nv 4 5 6 .5\nv 7 8 9\nf 1 2 3\n");
+  const Mesh mesh = parsed("v 1 2 3 1\nv 4 5 6 .5\nv 7 8 9\nf 1 2 3\n");
   EXPECT_EQ(mesh.positions, (Numbers{1, 2, 3, 4, 5, 6, 7, 8, 9}));
   EXPECT_TRUE(mesh.colours.empty());
 }
 
 TEST(ObjReader, ReadsColoursOfVerticesAndWhiteWhereThereIsNone) {
-  const ObjMesh mesh = parsed("v 1 2 3 1\nv 4 5 6 .1 .2 .3\nv 7 8 9 1 .4 .5 .6\nv 0 0 0\nf 1 2 3\n");
+  const Mesh mesh = parsed("v 1 2 3 1\nv 4 5 6 .1 .2 .3\nv 7 8 9 1 .4 .5 .6\nv 0 0 0\nf 1 2 3\n");
   EXPECT_EQ(mesh.positions, (Numbers{1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 0, 0}));
   EXPECT_EQ(mesh.colours, (Numbers{1, 1, 1, .1, .2, .3, .4, .5, .6, 1, 1, 1}));
 }
 
 TEST(ObjReader, ReadsTextureCoordinatesAndNormals) {
-  const ObjMesh mesh = parsed(withTriangle("vt .25\nvt .5 .75\nvt 1 2 3\nvn 0 0 1\nvn 0 1 0\nf 1 2 3\n"));
+  const Mesh mesh = parsed(withTriangle("vt .25\nvt .5 .75\nvt 1 2 3\nvn 0 0 1\nvn 0 1 0\nf 1 2 3\n"));
   EXPECT_EQ(mesh.texcoords, (Numbers{.25, 0, .5, .75, 1, 2}));
   EXPECT_EQ(mesh.normals, (Numbers{0, 0, 1, 0, 1, 0}));
   EXPECT_TRUE(mesh.cornerTexcoords.empty());
@@ -53,7 +53,7 @@ TEST(ObjReader, LineEndsMayBeLfCrLfOrCr) {
   for (const std::string_view end : {"\n", "\r\n", "\r"}) {
     std::string text;
     for (const char* line : {"v 0 0 0", "v 1 0 0", "", "v 0 1 0", "f 1 2 3"}) text.append(line).append(end);
-    const ObjMesh mesh = parsed(text);
+    const Mesh mesh = parsed(text);
     EXPECT_EQ(mesh.polygons.indices, (Indices{0, 1, 2}));
     EXPECT_THAT(mesh.vertexLines, ElementsAre(1, 2, 4));
     EXPECT_THAT(mesh.faceLines, ElementsAre(5));
@@ -71,12 +71,12 @@ TEST(ObjReader, WordsAreSeparatedByBlanksAndTabs) {
 }
 
 TEST(ObjReader, PassesOverCommentsAndByteOrderMark) {
-  const ObjMesh mesh = parsed(std::string("\xEF\xBB\xBF# v 9 9 9\n") + withTriangle("  # indented\nf 1 2 3 # 4 5\n#"));
+  const Mesh mesh = parsed(std::string("\xEF\xBB\xBF# v 9 9 9\n") + withTriangle("  # indented\nf 1 2 3 # 4 5\n#"));
   EXPECT_EQ(mesh.polygons.indices, (Indices{0, 1, 2}));
 }
 
 TEST(ObjReader, BackslashContinuesStatementsButNotComments) {
-  const ObjMesh mesh =
+  const Mesh mesh =
       parsed("# made in C:\\models\\\nv 0 \\\n 0 0\nv 1 0\\\r\n 0\nv 0 1 0\nf\\\n1 \\\n\\\n2 3\nf 3 2 1\n");
   EXPECT_EQ(mesh.polygons.indices, (Indices{0, 1, 2, 2, 1, 0}));
   EXPECT_THAT(mesh.vertexLines, ElementsAre(2, 4, 6));
@@ -84,7 +84,7 @@ TEST(ObjReader, BackslashContinuesStatementsButNotComments) {
 }
 
 TEST(ObjReader, PassesOverAllOtherStatements) {
-  const ObjMesh mesh =
+  const Mesh mesh =
       parsed(std::string("mtllib C:\\a\\b.mtl\no body\ng a b\ns off\nusemtl #1\n") +
              withTriangle("vp 1 2\nl 1 2\np 1\nparm u 0 \\\n1 2\ncsh -x y\nunheard of\n\xD0\xB4 1\nf 1 2 3\nend\n"));
   EXPECT_EQ(mesh.polygons.indices, (Indices{0, 1, 2}));
@@ -101,7 +101,7 @@ TEST(ObjReader, LinesMayBeOfAnyLength) {
   for (std::int32_t i = 0; i < kSides; ++i) text.append("v ").append(std::to_string(i)).append(" 0 0\n");
   text += "f";
   for (std::int32_t i = 1; i <= kSides; ++i) text.append(" ").append(std::to_string(i));
-  const ObjMesh mesh = parsed(text + " #" + std::string(1 << 20, ' '));
+  const Mesh mesh = parsed(text + " #" + std::string(1 << 20, ' '));
   ASSERT_EQ(mesh.polygons.faceCount(), 1);
   ASSERT_EQ(mesh.polygons.indices.size(), std::size_t{kSides});
   EXPECT_EQ(mesh.polygons.indices.back(), kSides - 1);
@@ -113,9 +113,9 @@ TEST(ObjReader, ReadsFilesAndPipes) {
   writeBytes(folder / "mesh.obj", text);
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   std::thread writer([&] { writeBytes(folder / "pipe", text); });
-  const Result<ObjMesh> piped = readObj(folder / "pipe");
+  const Result<Mesh> piped = readObj(folder / "pipe");
   writer.join();
-  const Result<ObjMesh> mapped = readObj(folder / "mesh.obj");
+  const Result<Mesh> mapped = readObj(folder / "mesh.obj");
   ASSERT_TRUE(piped && mapped);
   EXPECT_EQ(piped->polygons.indices, (Indices{0, 1, 2}));
   EXPECT_EQ(mapped->positions, piped->positions);
@@ -125,7 +125,7 @@ TEST(ObjReader, EveryCutOfAFileIsAMeshOrAnError) {
   const std::string text =
       "\xEF\xBB\xBF# c\r\nv 1e-3 +2 -3.5\\\n\nv 1 2 3 1\rv 0 0 1e400\nvt .5 .5\nvn 0 0 1\nf 1/1/1 -2//-1 \\\n3/1 #x\n";
   for (std::size_t length = 0; length <= text.size(); ++length) {
-    const Result<ObjMesh> mesh = parse(std::string_view(text).substr(0, length));
+    const Result<Mesh> mesh = parse(std::string_view(text).substr(0, length));
     EXPECT_TRUE(mesh || mesh.error().message.starts_with("mesh.obj:")) << length;
   }
 }
@@ -136,7 +136,7 @@ TEST(ObjReader, EveryChangedByteGivesAMeshWithinBoundsOrAnError) {
     for (int byte = 0; byte < 256; ++byte) {
       std::string changed = text;
       changed[at] = static_cast<char>(byte);
-      const Result<ObjMesh> mesh = parse(changed);
+      const Result<Mesh> mesh = parse(changed);
       if (!mesh) continue;
       for (const std::int32_t v : mesh->polygons.indices) ASSERT_TRUE(v >= 0 && v < mesh->polygons.vertexCount);
       ASSERT_EQ(mesh->polygons.faceOffsets.back(), static_cast<std::int64_t>(mesh->polygons.indices.size()));

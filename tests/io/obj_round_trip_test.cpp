@@ -23,7 +23,7 @@ TYPED_TEST(ObjRoundTrip, CoordinatesComeBackToTheSameBits) {
   const std::vector<std::int32_t> corners{2, 1, 0};
   const Result<void> written = writeObj<TypeParam>(folder / "a.obj", {positions, normals, offsets, corners});
   ASSERT_TRUE(written) << written.error().message;
-  const Result<ObjMesh> mesh = readObj(folder / "a.obj");
+  const Result<Mesh> mesh = readObj(folder / "a.obj");
   ASSERT_TRUE(mesh) << mesh.error().message;
   EXPECT_EQ(bitsOf<TypeParam>(mesh->positions), bitsOf<TypeParam>(positions));
   EXPECT_EQ(bitsOf<TypeParam>(mesh->normals), bitsOf<TypeParam>(normals));
@@ -39,7 +39,7 @@ TYPED_TEST(ObjRoundTrip, ColoursAndTextureCoordinatesComeBackToTheSameBits) {
   const Result<void> written =
       writeObj<TypeParam>(folder / "a.obj", {numbers, {}, offsets, corners, numbers, numbers, cornerTexcoords});
   ASSERT_TRUE(written) << written.error().message;
-  const Result<ObjMesh> mesh = readObj(folder / "a.obj");
+  const Result<Mesh> mesh = readObj(folder / "a.obj");
   ASSERT_TRUE(mesh) << mesh.error().message;
   EXPECT_EQ(bitsOf<TypeParam>(mesh->positions), bitsOf<TypeParam>(numbers));
   EXPECT_EQ(bitsOf<TypeParam>(mesh->colours), bitsOf<TypeParam>(numbers));
@@ -56,7 +56,7 @@ TYPED_TEST(ObjRoundTrip, PolygonsComeBackInOrder) {
   const std::vector<std::int32_t> offsets{0, 3, 7, 7 + kSides};
   const Result<void> written = writeObj<TypeParam>(folder / "a.obj", {positions, {}, offsets, corners});
   ASSERT_TRUE(written) << written.error().message;
-  const Result<ObjMesh> mesh = readObj(folder / "a.obj");
+  const Result<Mesh> mesh = readObj(folder / "a.obj");
   ASSERT_TRUE(mesh) << mesh.error().message;
   EXPECT_EQ(mesh->polygons.indices, corners);
   EXPECT_EQ(mesh->polygons.faceOffsets, std::vector<std::int64_t>(offsets.begin(), offsets.end()));

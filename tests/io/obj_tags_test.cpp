@@ -14,7 +14,7 @@ using testing::ElementsAre;
 
 /// Two quads side by side.
 const std::string kStrip = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5\n";
-std::vector<std::string> creases(const ObjMesh& mesh) {
+std::vector<std::string> creases(const Mesh& mesh) {
   std::vector<std::string> lines;
   for (const Far::Crease& c : mesh.polygons.creases) {
     lines.push_back(std::to_string(c.vertex0) + "-" + std::to_string(c.vertex1) + " " + std::to_string(c.sharpness));
@@ -23,26 +23,26 @@ std::vector<std::string> creases(const ObjMesh& mesh) {
 }
 
 TEST(ObjTags, CreaseHasTwoVerticesFromZeroAndASharpness) {
-  const ObjMesh mesh = parsed(kStrip + "t crease 2/1/0 1 4 2.5\n");
+  const Mesh mesh = parsed(kStrip + "t crease 2/1/0 1 4 2.5\n");
   EXPECT_THAT(creases(mesh), ElementsAre("1-4 2.500000"));
   EXPECT_THAT(mesh.creaseLines, ElementsAre(9));
   EXPECT_TRUE(mesh.polygons.corners.empty());
 }
 
 TEST(ObjTags, CreaseMayNameManyEdgesWithOneSharpnessOrOneEach) {
-  const ObjMesh mesh = parsed("t crease 4/1/0 0 1 1 2 3\nt crease 4/2/0 3 4 4 5 10 \\\n 0\n" + kStrip);
+  const Mesh mesh = parsed("t crease 4/1/0 0 1 1 2 3\nt crease 4/2/0 3 4 4 5 10 \\\n 0\n" + kStrip);
   EXPECT_THAT(creases(mesh), ElementsAre("0-1 3.000000", "1-2 3.000000", "3-4 10.000000", "4-5 0.000000"));
   EXPECT_THAT(mesh.creaseLines, ElementsAre(1, 1, 2, 2));
 }
 
 TEST(ObjTags, CornerHasAVertexFromZeroAndSharpnessTenOrMore) {
-  const ObjMesh mesh = parsed(kStrip + "t corner 1/1/0 0 10\nt corner 2/1/0 2 5 12\n");
+  const Mesh mesh = parsed(kStrip + "t corner 1/1/0 0 10\nt corner 2/1/0 2 5 12\n");
   EXPECT_EQ(mesh.polygons.corners, (Indices{0, 2, 5}));
   EXPECT_THAT(mesh.cornerLines, ElementsAre(9, 10, 10));
 }
 
 TEST(ObjTags, OthersArePassedOver) {
-  const ObjMesh mesh =
+  const Mesh mesh =
       parsed(kStrip + "t interpolateboundary 1/0/0 1\nt\nt smoothtriangles 0/0/1 what ever\nf 1 4 5\n");
   EXPECT_TRUE(mesh.polygons.creases.empty());
   EXPECT_TRUE(mesh.polygons.corners.empty());

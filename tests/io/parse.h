@@ -14,21 +14,21 @@
 namespace honeycomb::Io::Test {
 
 /// Parses a copy in a buffer of exactly the text's size, so that a sanitizer sees every read past its end.
-inline Result<ObjMesh> parse(std::string_view text, std::int64_t maxElements = 2147483647) {
+inline Result<Mesh> parse(std::string_view text, std::int64_t maxElements = 2147483647) {
   const auto exact = std::make_unique<char[]>(text.size());
   std::copy(text.begin(), text.end(), exact.get());
   return parseObj({exact.get(), text.size()}, "mesh.obj", maxElements);
 }
 
-inline ObjMesh parsed(std::string_view text) {
-  Result<ObjMesh> mesh = parse(text);
+inline Mesh parsed(std::string_view text) {
+  Result<Mesh> mesh = parse(text);
   if (mesh) return *std::move(mesh);
   ADD_FAILURE() << mesh.error().message;
   return {};
 }
 
 inline Error refusal(std::string_view text, std::int64_t maxElements = 2147483647) {
-  Result<ObjMesh> mesh = parse(text, maxElements);
+  Result<Mesh> mesh = parse(text, maxElements);
   if (!mesh) return mesh.error();
   ADD_FAILURE() << "accepted: " << text;
   return {};
