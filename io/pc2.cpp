@@ -4,10 +4,10 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <string_view>
 
+#include "io/frame_checks.h"
 #include "io/mapped_file.h"
 #include "io/output_file.h"
 
@@ -36,29 +36,6 @@ static_assert(sizeof(Header) == kHeaderBytes);
 // At most 24 GiB, far within 64 bits; the bytes of all frames need not be.
 std::size_t frameBytes(const FrameInfo& info) {
   return 3 * sizeof(float) * static_cast<std::size_t>(info.pointCount);
-}
-
-// The position of the first NaN or infinity, -1 if there is none. The first pass has no branch, so that it vectorises.
-std::ptrdiff_t findNotFinite(std::span<const float> values) {
-  constexpr std::uint32_t kExponent = 0x7F800000U;
-  std::uint32_t found = 0;
-  for (const float value : values) {
-    found |= static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(value) & kExponent) == kExponent);
-  }
-  if (found == 0) return -1;
-  std::ptrdiff_t i = 0;
-  while (std::isfinite(values[static_cast<std::size_t>(i)])) ++i;
-  return i;
-}
-
-Result<void> checkFinite(std::string_view name, std::int64_t frame, std::span<const float> points) {
-  const std::ptrdiff_t wrong = findNotFinite(points);
-  if (wrong < 0) return {};
-  return fail(
-      ErrorCode::invalidPositions,
-      fmt::format("{}: vertex {} of frame {} (both counted from 0) has the coordinate {}; give it a finite position",
-                  name, wrong / 3, frame, points[static_cast<std::size_t>(wrong)]),
-      wrong / 3);
 }
 
 tl::unexpected<Error> failFile(std::string_view name, std::string_view what, std::int64_t element = -1) {
@@ -128,10 +105,7 @@ const FrameInfo& Pc2Reader::info() const {
 
 Result<std::span<const float>> Pc2Reader::frame(std::int32_t f) const {
   const Mapping& m = *mapping_;
-  if (f < 0 || f >= m.info.frameCount) {
-    return fail(ErrorCode::invalidOption,
-                fmt::format("{}: has no frame {}; name one of 0 to {}", m.name, f, m.info.frameCount - 1));
-  }
+  if (Result<void> there = checkFrame(m.name, f, m.info); !there) return tl::unexpected<Error>(there.error());
   if (f > kFramesKept) m.file.release(m.frameBegin(f - kFramesKept - 1), m.frameBegin(f - kFramesKept));
   const std::byte* first = m.file.bytes().data() + m.frameBegin(f);
   const std::span<const float> points(reinterpret_cast<const float*>(first), frameBytes(m.info) / sizeof(float));

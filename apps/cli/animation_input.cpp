@@ -6,7 +6,6 @@
 
 #include "apps/cli/formats.h"
 #include "far/base/index.h"
-#include "io/pc2.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -15,18 +14,19 @@ Result<std::shared_ptr<const Io::FrameSource>> openFrames(const AnimationOptions
   if (options.cache.empty()) {
     if (input.frames) return input.frames;
     return fail(ErrorCode::invalidOption,
-                fmt::format("{}: holds one pose only; name its animation with --cache FILE.pc2", input.file));
+                fmt::format("{}: holds one pose only; name its animation with --cache FILE.pc2 (or .mdd)", input.file));
   }
-  if (const auto known = checkCacheFormat(options.cache); !known) return tl::unexpected(known.error());
-  Result<Io::Pc2Reader> cache = Io::Pc2Reader::open(options.cache);
+  const auto format = cacheInput(options.cache);
+  if (!format) return tl::unexpected(format.error());
+  auto cache = (*format)->open(options.cache);
   if (!cache) return tl::unexpected(inFile(options.cache, cache.error()));
-  return std::make_shared<const Io::Pc2Reader>(std::move(*cache));
+  return cache;
 }
 
 }  // namespace
 
 void addAnimationOptions(CLI::App& subcommand, AnimationOptions& options) {
-  subcommand.add_option("--cache", options.cache, "Point cache that animates IN (.pc2)");
+  subcommand.add_option("--cache", options.cache, "Point cache that animates IN (.pc2, .mdd)");
   subcommand.add_option("--frames", options.frames, "Frames a:b of the animation, b not included (default: all)");
 }
 

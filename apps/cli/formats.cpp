@@ -9,11 +9,23 @@
 #include <system_error>
 
 #include "apps/cli/choice.h"
+#include "io/mdd.h"
+#include "io/pc2.h"
 
 namespace honeycomb::Cli {
 namespace {
 
 constexpr std::array kMeshFormats{MeshFormat{".obj", Io::readObj, Io::writeObj<float>, Io::writeObj<double>}};
+
+template <class Reader>
+Result<std::shared_ptr<const Io::FrameSource>> openReader(const std::filesystem::path& path) {
+  Result<Reader> reader = Reader::open(path);
+  if (!reader) return tl::unexpected(reader.error());
+  return std::make_shared<const Reader>(std::move(*reader));
+}
+
+constexpr std::array kCacheInputs{CacheInput{".pc2", openReader<Io::Pc2Reader>},
+                                  CacheInput{".mdd", openReader<Io::MddReader>}};
 
 struct CacheFormat {
   std::string_view name;
@@ -47,6 +59,10 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
 
 Result<const MeshFormat*> meshFormat(const std::filesystem::path& path) {
   return byExtension(kMeshFormats, "mesh", path);
+}
+
+Result<const CacheInput*> cacheInput(const std::filesystem::path& path) {
+  return byExtension(kCacheInputs, "point cache", path);
 }
 
 Result<void> checkCacheFormat(const std::filesystem::path& path) {

@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "far/base/result.h"
+#include "io/frame_source.h"
+#include "io/mesh.h"
 #include "io/obj.h"
 
 namespace honeycomb::Cli {
@@ -30,7 +33,16 @@ struct MeshFormat {
 /// The mesh format of a path by its extension, in upper or lower case. Errors: invalidOption, listing the formats.
 Result<const MeshFormat*> meshFormat(const std::filesystem::path& path);
 
-/// Is the path a point cache's? Errors: invalidOption, listing the cache formats.
+/// A kind of point cache that can be read. A new one is one line of the table in formats.cpp.
+struct CacheInput {
+  std::string_view name;  ///< the extension with its dot, in lower case
+  Result<std::shared_ptr<const Io::FrameSource>> (*open)(const std::filesystem::path&);
+};
+
+/// The kind of a point cache to be read, by its extension. Errors: invalidOption, listing them.
+Result<const CacheInput*> cacheInput(const std::filesystem::path& path);
+
+/// Is the path that of a point cache to be written? Errors: invalidOption, listing the cache formats.
 Result<void> checkCacheFormat(const std::filesystem::path& path);
 
 /// Can the output be what the user wants, as far as can be told before the work is done: in a folder that is there and

@@ -7,6 +7,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/formats.h"
 #include "far/base/index.h"
+#include "io/mesh_sequence.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -66,16 +67,33 @@ std::int64_t lineOf(const Io::Mesh& mesh, const Far::Defect& defect) {
   return defect.face >= 0 ? mesh.faceLines[at(defect.face)] : mesh.vertexLines[at(defect.vertex)];
 }
 
-}  // namespace
-
-Result<MeshInput> readMesh(const std::string& file, const ReadOptions& options) {
+Result<MeshInput> readFile(const std::string& file) {
   const Result<const MeshFormat*> format = meshFormat(file);
   if (!format) return tl::unexpected(format.error());
   Result<Io::Mesh> mesh = (*format)->read(file);
   if (!mesh) return tl::unexpected(inFile(file, mesh.error()));
-  MeshInput input{file, std::move(*mesh), 0, {}, {}, 0, {}};
-  input.fileVertices = input.mesh.polygons.vertexCount;
-  if (options.dropIsolated) dropIsolated(input);
+  return MeshInput{file, std::move(*mesh), 0, {}, {}, 0, {}};
+}
+
+/// The mesh is that of the first file, and is named by it in messages.
+Result<MeshInput> readSequence(const std::string& pattern) {
+  auto files = Io::sequenceFiles(pattern);
+  if (!files) return tl::unexpected(files.error());
+  Result<MeshInput> input = readFile(files->front().string());
+  if (!input) return input;
+  const Result<const MeshFormat*> format = meshFormat(files->front());
+  if (!format) return tl::unexpected(format.error());
+  input->frames = std::make_shared<const Io::MeshSequence>(std::move(*files), input->mesh, (*format)->read);
+  return input;
+}
+
+}  // namespace
+
+Result<MeshInput> readMesh(const std::string& file, const ReadOptions& options) {
+  auto input = Io::isSequence(file) ? readSequence(file) : readFile(file);
+  if (!input) return input;
+  input->fileVertices = input->mesh.polygons.vertexCount;
+  if (options.dropIsolated) dropIsolated(*input);
   return input;
 }
 
