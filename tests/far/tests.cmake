@@ -28,6 +28,7 @@ set(honeycomb_far_tests
   reference_test.cpp
   schemes_test.cpp
   spatial_order_test.cpp
+  split_non_manifold_test.cpp
   stencil_table_test.cpp
   stencil_test.cpp
   tables_test.cpp
