@@ -96,6 +96,7 @@ Result<void> bake(const BakeCommand& command, const Session& session) {
   if (const auto checked = checkFiles(command); !checked) return checked;
   const Result<SurfacePlan> plan = planSurface(command.surface, sizeof(float));
   if (!plan) return tl::unexpected(plan.error());
+  printNotes(session, plan->mesh.input);
   const Result<Animation> animation = openAnimation(command.animation, plan->mesh.input);
   if (!animation) return tl::unexpected(animation.error());
   const FrameRange range = animation->range;

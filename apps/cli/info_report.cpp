@@ -83,6 +83,39 @@ std::string droppedText(const MeshInput& input) {
   return input.dropped() == 0 ? "" : fmt::format("   ({} isolated left out)", grouped(input.dropped()));
 }
 
+/// Clips, nodes and notes, where there are any.
+std::string sceneText(const MeshInput& input) {
+  std::string text;
+  const auto out = std::back_inserter(text);
+  if (input.frames) fmt::format_to(out, "  {:<12} {}\n", "frames", grouped(input.frames->info().frameCount));
+  for (const Io::SceneClip& clip : input.clips)
+    fmt::format_to(out, "  {:<12} '{}': {:.4g} seconds, {}\n", "clip", clip.name, clip.seconds,
+                   counted(clip.keys, "key"));
+  for (const Io::SceneNode& node : input.nodes)
+    fmt::format_to(out, "  {:<12} '{}': {}, {}{}{}\n", "node", node.name,
+                   node.vertices == 1 ? "1 vertex" : grouped(node.vertices) + " vertices", counted(node.faces, "face"),
+                   node.skinned ? ", skinned" : "", node.morphed ? ", morphed" : "");
+  for (const std::string& note : input.notes) fmt::format_to(out, "  {:<12} {}\n", "note", note);
+  return text;
+}
+
+void addScene(Json& json, const MeshInput& input) {
+  if (input.frames) json["frames"] = input.frames->info().frameCount;
+  if (!input.notes.empty()) json["notes"] = input.notes;
+  if (input.nodes.empty()) return;
+  Json clips = Json::array(), nodes = Json::array();
+  for (const Io::SceneClip& clip : input.clips)
+    clips.push_back({{"name", clip.name}, {"seconds", clip.seconds}, {"keys", clip.keys}});
+  for (const Io::SceneNode& node : input.nodes)
+    nodes.push_back({{"name", node.name},
+                     {"vertices", node.vertices},
+                     {"faces", node.faces},
+                     {"skinned", node.skinned},
+                     {"morphed", node.morphed}});
+  json["clips"] = clips;
+  json["nodes"] = nodes;
+}
+
 }  // namespace
 
 std::string meshText(const MeshReport& report) {
@@ -105,28 +138,30 @@ std::string meshText(const MeshReport& report) {
   row("bounds", fmt::format("{:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} {:.6g}", bounds.low[0], bounds.low[1], bounds.low[2],
                             bounds.high[0], bounds.high[1], bounds.high[2]));
   row("defects", "none");
-  return text + levelsText(report);
+  return text + sceneText(report.input) + levelsText(report);
 }
 
 std::string meshJson(const MeshReport& report) {
   const MeshFacts facts = gatherFacts(report.topology);
   const Far::Box<double> bounds = Far::bounds<double>(report.input.mesh.positions);
-  return jsonText({{"file", report.input.file},
-                   {"vertices", report.topology.vertexCount()},
-                   {"edges", report.topology.edgeCount()},
-                   {"faces", report.topology.faceCount()},
-                   {"half_edges", report.topology.halfEdgeCount()},
-                   {"dropped_vertices", report.input.dropped()},
-                   {"sides", histogramJson(countSides(report.input.mesh.polygons))},
-                   {"valences", histogramJson(facts.valences)},
-                   {"boundary_loops", facts.boundaryLoops},
-                   {"components", facts.components},
-                   {"euler_characteristic", report.topology.eulerCharacteristic()},
-                   {"genus", facts.genus},
-                   {"bounds", {{"low", bounds.low}, {"high", bounds.high}}},
-                   {"defects", Json::array()},
-                   {"memory_bytes", report.memory},
-                   {"levels", levelsJson(report)}});
+  Json json{{"file", report.input.file},
+            {"vertices", report.topology.vertexCount()},
+            {"edges", report.topology.edgeCount()},
+            {"faces", report.topology.faceCount()},
+            {"half_edges", report.topology.halfEdgeCount()},
+            {"dropped_vertices", report.input.dropped()},
+            {"sides", histogramJson(countSides(report.input.mesh.polygons))},
+            {"valences", histogramJson(facts.valences)},
+            {"boundary_loops", facts.boundaryLoops},
+            {"components", facts.components},
+            {"euler_characteristic", report.topology.eulerCharacteristic()},
+            {"genus", facts.genus},
+            {"bounds", {{"low", bounds.low}, {"high", bounds.high}}},
+            {"defects", Json::array()},
+            {"memory_bytes", report.memory},
+            {"levels", levelsJson(report)}};
+  addScene(json, report.input);
+  return jsonText(json);
 }
 
 std::string defectsText(const DefectList& list) {
@@ -137,28 +172,31 @@ std::string defectsText(const DefectList& list) {
                   "sides", histogramText(countSides(polygons)), "defects", grouped(std::ssize(list.defects)));
   for (const Far::Defect& defect : list.defects) {
     const DefectReport entry = report(list.input, defect);
-    fmt::format_to(std::back_inserter(text), "{}:{}: {}: {}\n", list.input.file, entry.line, entry.what, entry.remedy);
+    fmt::format_to(std::back_inserter(text), "{}: {}: {}\n", placeInFile(list.input, entry.line), entry.what,
+                   entry.remedy);
   }
-  return text + "face and vertex numbers count from 1, as in the file\n";
+  return text + fmt::format("face and vertex numbers count from 1{}\n", countedAs(list.input)) + sceneText(list.input);
 }
 
 std::string defectsJson(const DefectList& list) {
   Json defects = Json::array();
   for (const Far::Defect& defect : list.defects) {
     const DefectReport entry = report(list.input, defect);
-    defects.push_back({{"line", entry.line},
+    defects.push_back({{"line", entry.line > 0 ? Json(entry.line) : Json()},
                        {"face", entry.face > 0 ? Json(entry.face) : Json()},
                        {"vertex", entry.vertex > 0 ? Json(entry.vertex) : Json()},
                        {"what", entry.what},
                        {"remedy", entry.remedy}});
   }
   const Far::Polygons& polygons = list.input.mesh.polygons;
-  return jsonText({{"file", list.input.file},
-                   {"vertices", polygons.vertexCount},
-                   {"faces", polygons.faceCount()},
-                   {"dropped_vertices", list.input.dropped()},
-                   {"sides", histogramJson(countSides(polygons))},
-                   {"defects", defects}});
+  Json json{{"file", list.input.file},
+            {"vertices", polygons.vertexCount},
+            {"faces", polygons.faceCount()},
+            {"dropped_vertices", list.input.dropped()},
+            {"sides", histogramJson(countSides(polygons))},
+            {"defects", defects}};
+  addScene(json, list.input);
+  return jsonText(json);
 }
 
 }  // namespace honeycomb::Cli

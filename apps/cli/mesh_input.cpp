@@ -6,8 +6,10 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/formats.h"
+#include "apps/cli/split_input.h"
 #include "far/base/index.h"
 #include "io/mesh_sequence.h"
+#include "io/scene/scene.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -52,6 +54,11 @@ Far::Defect inFileNumbers(const MeshInput& input, Far::Defect defect) {
   return defect;
 }
 
+/// 0 where the format has no lines.
+std::int64_t lineAt(const std::vector<std::int64_t>& lines, std::int64_t element) {
+  return lines.empty() ? 0 : lines[at(element)];
+}
+
 /// The line of the tag that a defect is about, or else of its face or vertex.
 std::int64_t lineOf(const Io::Mesh& mesh, const Far::Defect& defect) {
   const bool crease = defect.kind == Far::DefectKind::creaseSharpness ||
@@ -64,7 +71,7 @@ std::int64_t lineOf(const Io::Mesh& mesh, const Far::Defect& defect) {
   }
   for (std::size_t i = 0; defect.kind == Far::DefectKind::cornerNotOnBoundary && i < mesh.cornerLines.size(); ++i)
     if (mesh.polygons.corners[i] == defect.vertex) return mesh.cornerLines[i];
-  return defect.face >= 0 ? mesh.faceLines[at(defect.face)] : mesh.vertexLines[at(defect.vertex)];
+  return defect.face >= 0 ? lineAt(mesh.faceLines, defect.face) : lineAt(mesh.vertexLines, defect.vertex);
 }
 
 Result<MeshInput> readFile(const std::string& file) {
@@ -72,7 +79,32 @@ Result<MeshInput> readFile(const std::string& file) {
   if (!format) return tl::unexpected(format.error());
   Result<Io::Mesh> mesh = (*format)->read(file);
   if (!mesh) return tl::unexpected(inFile(file, mesh.error()));
-  return MeshInput{file, std::move(*mesh), 0, {}, {}, 0, {}};
+  return MeshInput{file, std::move(*mesh), 0, {}, {}, 0, {}, {}, {}};
+}
+
+/// What only scenes have, asked of another file. Errors: invalidOption.
+Result<void> checkNoScene(const std::string& file, const ReadOptions& options) {
+  const char* option = !options.clip.empty()     ? "--clip"
+                       : !options.node.empty()   ? "--node"
+                       : options.framesPerSecond ? "--fps"
+                       : options.weld            ? "--weld"
+                                                 : nullptr;
+  if (!option) return {};
+  return fail(ErrorCode::invalidOption,
+              fmt::format("{}: is for scenes ({}), and {} is none", option, Io::sceneFormatNames(), file));
+}
+
+Result<MeshInput> readScene(const std::string& file, const ReadOptions& options) {
+  const Result<Io::Scene> scene = Io::Scene::open(file);
+  if (!scene) return tl::unexpected(inFile(file, scene.error()));
+  Io::SceneRequest request{options.clip, options.node, options.framesPerSecond};
+  if (options.weld) request.weld = *options.weld;
+  Result<Io::SceneMesh> mesh = scene->mesh(request);
+  if (!mesh) return tl::unexpected(inFile(file, mesh.error()));
+  MeshInput input{file,           std::move(mesh->mesh), 0, {}, std::move(mesh->frames), 0, scene->notes(),
+                  scene->clips(), scene->nodes()};
+  input.notes.insert(input.notes.end(), mesh->notes.begin(), mesh->notes.end());
+  return input;
 }
 
 /// The mesh is that of the first file, and is named by it in messages.
@@ -87,14 +119,34 @@ Result<MeshInput> readSequence(const std::string& pattern) {
   return input;
 }
 
+Result<MeshInput> readAny(const std::string& file, const ReadOptions& options) {
+  const bool sequence = Io::isSequence(file);
+  if (!sequence && Io::isSceneFile(file)) return readScene(file, options);
+  if (const auto sensible = checkNoScene(file, options); !sensible) return tl::unexpected(sensible.error());
+  return sequence ? readSequence(file) : readFile(file);
+}
+
 }  // namespace
 
 Result<MeshInput> readMesh(const std::string& file, const ReadOptions& options) {
-  auto input = Io::isSequence(file) ? readSequence(file) : readFile(file);
+  auto input = readAny(file, options);
   if (!input) return input;
   input->fileVertices = input->mesh.polygons.vertexCount;
+  if (options.splitNonManifold) splitNonManifold(*input);
   if (options.dropIsolated) dropIsolated(*input);
   return input;
+}
+
+void printNotes(const Session& session, const MeshInput& input) {
+  for (const std::string& note : input.notes) printNote(session, fmt::format("{}: {}", input.file, note));
+}
+
+std::string placeInFile(const MeshInput& input, std::int64_t line) {
+  return line > 0 ? fmt::format("{}:{}", input.file, line) : input.file;
+}
+
+std::string_view countedAs(const MeshInput& input) {
+  return input.mesh.vertexLines.empty() ? ", vertices as joined" : ", as in the file";
 }
 
 DefectReport report(const MeshInput& input, const Far::Defect& defect) {
@@ -116,8 +168,8 @@ Error summarize(const MeshInput& input, const std::vector<Far::Defect>& defects)
                                      : fmt::format("the first of {}, 'honeycomb info {}' lists them all",
                                                    counted(count, "defect"), input.file);
   return {ErrorCode::invalidMesh,
-          fmt::format("{}:{}: {} (numbers count from 1, as in the file): {}; {}", input.file, first.line, first.what,
-                      first.remedy, all),
+          fmt::format("{}: {} (numbers count from 1{}): {}; {}", placeInFile(input, first.line), first.what,
+                      countedAs(input), first.remedy, all),
           first.line};
 }
 
@@ -129,25 +181,28 @@ Result<Far::Topology> makeTopology(const MeshInput& input, Far::FaceOrder order)
   return tl::unexpected(defects.empty() ? inFile(input.file, topology.error()) : summarize(input, defects));
 }
 
-void renumberVertices(MeshInput& input, const std::vector<std::int32_t>& order) {
-  Io::Mesh& mesh = input.mesh;
-  std::vector<std::int32_t> renumbered(at(mesh.polygons.vertexCount), -1);
-  std::vector<std::int32_t> kept(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    renumbered[at(order[k])] = static_cast<std::int32_t>(k);
-    kept[k] = static_cast<std::int32_t>(input.fileVertex(order[k]));
-  }
+void gatherVertices(MeshInput& input, const std::vector<std::int32_t>& order) {
+  std::vector<std::int32_t> kept;
+  for (const std::int32_t v : order) kept.push_back(static_cast<std::int32_t>(input.fileVertex(v)));
   input.kept = std::move(kept);
-  for (std::int32_t& v : mesh.polygons.indices) v = renumbered[at(v)];
-  for (std::int32_t& v : mesh.polygons.corners) v = renumbered[at(v)];
-  for (Far::Crease& crease : mesh.polygons.creases) {
-    crease.vertex0 = renumbered[at(crease.vertex0)];
-    crease.vertex1 = renumbered[at(crease.vertex1)];
-  }
+  Io::Mesh& mesh = input.mesh;
   mesh.polygons.vertexCount = static_cast<std::int32_t>(order.size());
   mesh.positions = gathered(mesh.positions, order, 3);
   mesh.colours = gathered(mesh.colours, order, 3);
   mesh.vertexLines = gathered(mesh.vertexLines, order, 1);
+}
+
+void renumberVertices(MeshInput& input, const std::vector<std::int32_t>& order) {
+  Far::Polygons& polygons = input.mesh.polygons;
+  std::vector<std::int32_t> renumbered(at(polygons.vertexCount), -1);
+  for (std::size_t k = 0; k < order.size(); ++k) renumbered[at(order[k])] = static_cast<std::int32_t>(k);
+  for (std::int32_t& v : polygons.indices) v = renumbered[at(v)];
+  for (std::int32_t& v : polygons.corners) v = renumbered[at(v)];
+  for (Far::Crease& crease : polygons.creases) {
+    crease.vertex0 = renumbered[at(crease.vertex0)];
+    crease.vertex1 = renumbered[at(crease.vertex1)];
+  }
+  gatherVertices(input, order);
 }
 
 Error inFile(const std::string& file, Error error) {
@@ -158,13 +213,14 @@ Error inFile(const std::string& file, Error error) {
 Error located(const MeshInput& input, const Error& error) {
   if (error.kind == ElementKind::other || error.element < 0) return inFile(input.file, error);
   const bool face = error.kind == ElementKind::face;
-  const std::int64_t line = (face ? input.mesh.faceLines : input.mesh.vertexLines)[at(error.element)];
+  const std::int64_t line = lineAt(face ? input.mesh.faceLines : input.mesh.vertexLines, error.element);
   const std::int64_t number = (face ? error.element : input.fileVertex(error.element)) + 1;
   std::string message = error.message;
   const std::string name = elementName(error.kind, error.element);
   if (const std::size_t place = message.find(name); place != std::string::npos)
     message.replace(place, name.size(), fmt::format("{} {}", face ? "face" : "vertex", number));
-  return {error.code, fmt::format("{}:{}: {} (numbers count from 1, as in the file)", input.file, line, message), line};
+  return {error.code,
+          fmt::format("{}: {} (numbers count from 1{})", placeInFile(input, line), message, countedAs(input)), line};
 }
 
 void tagCorners(Far::Polygons& polygons) {

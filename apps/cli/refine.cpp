@@ -64,8 +64,9 @@ Result<std::vector<Real>> controlPoints(const MeshInput& input, const CentralPoi
   std::vector<Real> points(input.mesh.positions.begin(), input.mesh.positions.end());
   if (const std::int64_t v = firstTooLarge<Real>(points); v >= 0)
     return fail(ErrorCode::invalidPositions,
-                fmt::format("{}:{}: vertex {} doesn't fit single precision; use --precision double", input.file,
-                            input.mesh.vertexLines[at(v)], input.fileVertex(v) + 1));
+                fmt::format("{}: vertex {} doesn't fit single precision; use --precision double",
+                            placeInFile(input, input.mesh.vertexLines.empty() ? 0 : input.mesh.vertexLines[at(v)]),
+                            input.fileVertex(v) + 1));
   if (!central.given) return points;
   if (central.file.empty()) {
     appendOffsetPoints(input.mesh.polygons, central.offsets, points);
@@ -231,6 +232,7 @@ Result<void> refine(const RefineCommand& command, const Session& session) {
   if (!plan) return tl::unexpected(plan.error());
   Result<CentralPoints> central = readCentralPoints(command.surface.scheme, plan->mesh.input);
   if (!central) return tl::unexpected(central.error());
+  printNotes(session, plan->mesh.input);
   const RefineJob job{command, *plan, std::move(*central), (*normals)->normals, (*precision)->bytes};
   Summary summary;
   const Result<Far::Refinement> refinement = produce(job, session, summary);
