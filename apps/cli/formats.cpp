@@ -11,6 +11,8 @@
 #include "apps/cli/choice.h"
 #include "io/mdd.h"
 #include "io/pc2.h"
+#include "io/ply.h"
+#include "io/scene/scene.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -26,6 +28,12 @@ Result<std::shared_ptr<const Io::FrameSource>> openReader(const std::filesystem:
 
 constexpr std::array kCacheInputs{CacheInput{".pc2", openReader<Io::Pc2Reader>},
                                   CacheInput{".mdd", openReader<Io::MddReader>}};
+
+struct MeshReader {
+  std::string_view name;
+  ReadMesh read;
+};
+constexpr std::array kMeshReaders{MeshReader{".obj", Io::readObj}, MeshReader{".ply", Io::readPly}};
 
 struct CacheFormat {
   std::string_view name;
@@ -59,6 +67,14 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
 
 Result<const MeshFormat*> meshFormat(const std::filesystem::path& path) {
   return byExtension(kMeshFormats, "mesh", path);
+}
+
+Result<ReadMesh> meshReader(const std::filesystem::path& path) {
+  return byExtension(kMeshReaders, "mesh", path).map([](const MeshReader* reader) { return reader->read; });
+}
+
+std::string meshInputNames() {
+  return fmt::format("{}, {}", names(kMeshReaders), Io::sceneFormatNames());
 }
 
 Result<const CacheInput*> cacheInput(const std::filesystem::path& path) {

@@ -33,6 +33,15 @@ struct MeshFormat {
 /// The mesh format of a path by its extension, in upper or lower case. Errors: invalidOption, listing the formats.
 Result<const MeshFormat*> meshFormat(const std::filesystem::path& path);
 
+using ReadMesh = Result<Io::Mesh> (*)(const std::filesystem::path&);
+
+/// What reads a mesh of one pose, by its extension; a new format is one line of the table in formats.cpp. Errors:
+/// invalidOption, listing them.
+Result<ReadMesh> meshReader(const std::filesystem::path& path);
+
+/// ".obj, .ply, .gltf, ..": everything that a mesh can be read from.
+std::string meshInputNames();
+
 /// A kind of point cache that can be read. A new one is one line of the table in formats.cpp.
 struct CacheInput {
   std::string_view name;  ///< the extension with its dot, in lower case

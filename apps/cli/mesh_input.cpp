@@ -6,6 +6,7 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/formats.h"
+#include "apps/cli/paired_input.h"
 #include "apps/cli/split_input.h"
 #include "far/base/index.h"
 #include "io/mesh_sequence.h"
@@ -75,9 +76,11 @@ std::int64_t lineOf(const Io::Mesh& mesh, const Far::Defect& defect) {
 }
 
 Result<MeshInput> readFile(const std::string& file) {
-  const Result<const MeshFormat*> format = meshFormat(file);
-  if (!format) return tl::unexpected(format.error());
-  Result<Io::Mesh> mesh = (*format)->read(file);
+  const Result<ReadMesh> read = meshReader(file);
+  if (!read)
+    return fail(ErrorCode::invalidOption,
+                fmt::format("{}: mesh files end in {}; give a file of that kind", file, meshInputNames()));
+  Result<Io::Mesh> mesh = (*read)(file);
   if (!mesh) return tl::unexpected(inFile(file, mesh.error()));
   return MeshInput{file, std::move(*mesh), 0, {}, {}, 0, {}, {}, {}};
 }
@@ -113,9 +116,9 @@ Result<MeshInput> readSequence(const std::string& pattern) {
   if (!files) return tl::unexpected(files.error());
   Result<MeshInput> input = readFile(files->front().string());
   if (!input) return input;
-  const Result<const MeshFormat*> format = meshFormat(files->front());
-  if (!format) return tl::unexpected(format.error());
-  input->frames = std::make_shared<const Io::MeshSequence>(std::move(*files), input->mesh, (*format)->read);
+  const Result<ReadMesh> read = meshReader(files->front());
+  if (!read) return tl::unexpected(read.error());
+  input->frames = std::make_shared<const Io::MeshSequence>(std::move(*files), input->mesh, *read);
   return input;
 }
 
@@ -133,6 +136,7 @@ Result<MeshInput> readMesh(const std::string& file, const ReadOptions& options) 
   if (!input) return input;
   input->fileVertices = input->mesh.polygons.vertexCount;
   if (options.splitNonManifold) splitNonManifold(*input);
+  if (options.quads) pairTriangles(*input);
   if (options.dropIsolated) dropIsolated(*input);
   return input;
 }

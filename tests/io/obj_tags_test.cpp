@@ -42,8 +42,7 @@ TEST(ObjTags, CornerHasAVertexFromZeroAndSharpnessTenOrMore) {
 }
 
 TEST(ObjTags, OthersArePassedOver) {
-  const Mesh mesh =
-      parsed(kStrip + "t interpolateboundary 1/0/0 1\nt\nt smoothtriangles 0/0/1 what ever\nf 1 4 5\n");
+  const Mesh mesh = parsed(kStrip + "t interpolateboundary 1/0/0 1\nt\nt smoothtriangles 0/0/1 what ever\nf 1 4 5\n");
   EXPECT_TRUE(mesh.polygons.creases.empty());
   EXPECT_TRUE(mesh.polygons.corners.empty());
   EXPECT_EQ(mesh.polygons.faceCount(), 3);

@@ -12,6 +12,7 @@ honeycomb_test(io_tests
     io/obj_writer_test.cpp
     io/output_file_test.cpp
     io/pc2_writer_test.cpp
+    io/ply_reader_test.cpp
     io/png_test.cpp
     io/text_cursor_test.cpp
   LIBRARIES honeycomb::io PNG::PNG)
