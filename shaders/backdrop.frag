@@ -10,7 +10,8 @@ float groundLight(vec3 p) {
   mat2 turn = turnBy(6.2831853 * noise(gl_FragCoord.xy));
   const mat2 onward = turnBy(2.4);
   float sum = 0;
-  for (int k = 0; k < kLights; ++k) {
+  for (int k = shadowCount(); k < lightCount(); ++k) sum += scene.lights[k].radiance.w;
+  for (int k = 0; k < shadowCount(); ++k) {
     turn = onward * turn;
     sum += scene.lights[k].radiance.w * reached(k, p, turn);
   }

@@ -19,6 +19,10 @@ float edgeCover() {
   return scene.backdropRim.w * line * smoothstep(1.2, 5.0, apothem);
 }
 
+// How much a surface faces light k. A gentle wrap: light reaches 12 degrees past the edge of shade, as it does round
+// soft boxes.
+float wrapped(vec3 n, int k) { return max((dot(n, scene.lights[k].direction.xyz) + 0.2) / 1.2, 0); }
+
 vec3 diffuse(vec3 n, out float keyReached) {
   mat2 turn = turnBy(6.2831853 * noise(gl_FragCoord.xy));
   const mat2 onward = turnBy(2.4);
@@ -26,11 +30,12 @@ vec3 diffuse(vec3 n, out float keyReached) {
   vec3 sum = scene.bounce.rgb * (0.5 - 0.5 * n.y);
   float key = 0;
   float keys = 0;
-  for (int k = 0; k < kLights; ++k) {
+  // Drivers that run both sides of every branch run a loop no longer than they must.
+  for (int k = shadowCount(); k < lightCount(); ++k) sum += scene.lights[k].radiance.rgb * wrapped(n, k);
+  for (int k = 0; k < shadowCount(); ++k) {
     turn = onward * turn;
     const Light l = scene.lights[k];
-    // A gentle wrap: light reaches 12 degrees past the edge of shade, as it does round soft boxes.
-    const float facing = (dot(n, l.direction.xyz) + 0.2) / 1.2;
+    const float facing = wrapped(n, k);
     if (facing <= 0) continue;
     const float part = reached(k, p, turn);
     sum += l.radiance.rgb * facing * part;

@@ -1,3 +1,5 @@
+#include "push.glsl"
+
 // The evaluator's buffers, read where they lie: point i's value j is data[offset + i * stride + j].
 
 layout(set = 1, binding = 0, std430) restrict readonly buffer Positions { float positions[]; };
@@ -5,15 +7,6 @@ layout(set = 1, binding = 1, std430) restrict readonly buffer Normals { float no
 layout(set = 1, binding = 2, std430) restrict readonly buffer FaceOffsets { int faceOffsets[]; };
 layout(set = 1, binding = 3, std430) restrict readonly buffer Corners { int corners[]; };
 layout(set = 1, binding = 4, std430) restrict readonly buffer FaceColours { uint faceColours[]; };
-
-layout(push_constant) uniform Push {
-  uint vertexCount;
-  uint positionOffset;
-  uint positionStride;
-  uint normalOffset;
-  uint normalStride;
-  uint light;
-};
 
 vec3 positionOf(uint v) {
   const uint i = positionOffset + v * positionStride;

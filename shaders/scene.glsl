@@ -18,16 +18,21 @@ layout(set = 0, binding = 0, std140) uniform Scene {
   vec4 backdropRim;     // linear rgb; w: edge strength, 0..1
   vec4 shadowTint;      // linear rgb that a fully shadowed ground is multiplied by; w: 1 with a ground
   vec4 bounce;          // linear rgb from below; w: width of the normal offset of shadow look-ups, world units
-  vec4 rimDirection;    // to the light behind, unit
-  vec4 rimRadiance;     // linear rgb
+  vec4 rimDirection;    // to the light behind, unit; w: how many of the lights there are
+  vec4 rimRadiance;     // linear rgb; w: how many of the lights throw shadows
   vec4 keyDirection;    // unit; w: specular exponent
   vec4 keyRadiance;     // linear rgb; w: specular strength
-  vec4 picture;         // width, height in pixels
+  vec4 picture;         // width, height in pixels; z: 1: cells are coloured by how far from flat they are; w: what is the most
   Light lights[kLights];
 }
 scene;
 
 layout(set = 0, binding = 1) uniform sampler2DShadow shadows;
+
+// Not a constant, so that drivers don't unroll the loops over lights: they compile in a third of the time.
+int lightCount() { return int(scene.rimDirection.w); }
+// The first ones throw shadows.
+int shadowCount() { return int(scene.rimRadiance.w); }
 
 // How much of light k reaches p, 0..1: three taps, turned by `turn` so that neighbouring pixels and lights sample
 // different places.

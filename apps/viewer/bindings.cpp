@@ -10,9 +10,9 @@ namespace {
 Owned<VkDescriptorPool> makeDescriptorPool(Maker& make, const Gpu& gpu) {
   const std::array<VkDescriptorPoolSize, 3> sizes{{{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
                                                    {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 1},
-                                                   {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, kPointBuffers}}};
+                                                   {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2 * kPointBuffers}}};
   auto info = structure<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
-  info.maxSets = 2;
+  info.maxSets = 3;
   info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
   info.pPoolSizes = sizes.data();
   return make.own(gpu.call.vkCreateDescriptorPool, gpu.call.vkDestroyDescriptorPool, info, "create a descriptor pool");
@@ -37,6 +37,19 @@ VkWriteDescriptorSet writeOf(VkDescriptorSet set, std::uint32_t binding, VkDescr
   return write;
 }
 
+VkDeviceSize bytesOf(const PointSource& points, std::int32_t count) {
+  return static_cast<VkDeviceSize>(points.byteExtent(count));
+}
+
+void writeSet(const Gpu& gpu, VkDescriptorSet set, const std::array<VkDescriptorBufferInfo, kPointBuffers>& infos) {
+  std::array<VkWriteDescriptorSet, kPointBuffers> writes{};
+  for (std::uint32_t i = 0; i < kPointBuffers; ++i) {
+    writes[i] = writeOf(set, i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
+    writes[i].pBufferInfo = &infos[i];
+  }
+  gpu.call.vkUpdateDescriptorSets(gpu.device.device, kPointBuffers, writes.data(), 0, nullptr);
+}
+
 }  // namespace
 
 Bindings makeBindings(Maker& make, const Gpu& gpu, const Pipelines& pipelines) {
@@ -44,6 +57,7 @@ Bindings makeBindings(Maker& make, const Gpu& gpu, const Pipelines& pipelines) {
   made.pool = makeDescriptorPool(make, gpu);
   made.scene = allocateSet(make, gpu, made.pool.get(), pipelines.sceneSet.get());
   made.points = allocateSet(make, gpu, made.pool.get(), pipelines.pointSet.get());
+  made.lines = allocateSet(make, gpu, made.pool.get(), pipelines.pointSet.get());
   return made;
 }
 
@@ -61,20 +75,19 @@ void bindScene(const Gpu& gpu, const Bindings& bindings, const Buffer& scene, co
 
 void bindPoints(const Gpu& gpu, const Bindings& bindings, const CellMesh& mesh, const PointSource& positions,
                 const PointSource& normals) {
-  const auto bytes = [&mesh](const PointSource& points) {
-    return static_cast<VkDeviceSize>(points.byteExtent(mesh.vertexCount));
-  };
-  const std::array<VkDescriptorBufferInfo, kPointBuffers> infos{{{positions.buffer, 0, bytes(positions)},
-                                                                 {normals.buffer, 0, bytes(normals)},
-                                                                 {mesh.faceOffsets.get(), 0, VK_WHOLE_SIZE},
-                                                                 {mesh.corners.get(), 0, VK_WHOLE_SIZE},
-                                                                 {mesh.faceColours.get(), 0, VK_WHOLE_SIZE}}};
-  std::array<VkWriteDescriptorSet, kPointBuffers> writes{};
-  for (std::uint32_t i = 0; i < kPointBuffers; ++i) {
-    writes[i] = writeOf(bindings.points, i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-    writes[i].pBufferInfo = &infos[i];
-  }
-  gpu.call.vkUpdateDescriptorSets(gpu.device.device, kPointBuffers, writes.data(), 0, nullptr);
+  writeSet(gpu, bindings.points,
+           {{{positions.buffer, 0, bytesOf(positions, mesh.vertexCount)},
+             {normals.buffer, 0, bytesOf(normals, mesh.vertexCount)},
+             {mesh.faceOffsets.get(), 0, VK_WHOLE_SIZE},
+             {mesh.corners.get(), 0, VK_WHOLE_SIZE},
+             {mesh.faceColours.get(), 0, VK_WHOLE_SIZE}}});
+}
+
+void bindLines(const Gpu& gpu, const Bindings& bindings, const LineMesh& lines, const PointSource& positions) {
+  // Lines between points read neither normals, offsets nor colours; a set has them all the same.
+  const VkDescriptorBufferInfo points{positions.buffer, 0, bytesOf(positions, lines.vertexCount)};
+  const VkDescriptorBufferInfo pairs{lines.pairs.get(), 0, VK_WHOLE_SIZE};
+  writeSet(gpu, bindings.lines, {{points, points, pairs, pairs, pairs}});
 }
 
 }  // namespace honeycomb::Viewer

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/viewer/cell_mesh.h"
+#include "apps/viewer/line_mesh.h"
 #include "apps/viewer/pipelines.h"
 #include "apps/viewer/targets.h"
 
@@ -19,18 +20,20 @@ struct PointSource {
   }
 };
 
-/// The two descriptor sets of Pipelines, bound to a renderer's buffers.
+/// The descriptor sets of Pipelines, bound to a renderer's buffers.
 struct Bindings {
   Owned<VkDescriptorPool> pool;
   VkDescriptorSet scene = VK_NULL_HANDLE;
-  VkDescriptorSet points = VK_NULL_HANDLE;
+  VkDescriptorSet points = VK_NULL_HANDLE;  ///< of the cells
+  VkDescriptorSet lines = VK_NULL_HANDLE;   ///< of lines between points of their own
 };
 
 Bindings makeBindings(Maker& make, const Gpu& gpu, const Pipelines& pipelines);
 /// Binds the scene block and the shadow maps, once.
 void bindScene(const Gpu& gpu, const Bindings& bindings, const Buffer& scene, const Targets& targets);
-/// Binds a mesh and its points; nothing that uses the set may be running.
+/// Bind a mesh and its points, lines and theirs; nothing that uses the set may be running.
 void bindPoints(const Gpu& gpu, const Bindings& bindings, const CellMesh& mesh, const PointSource& positions,
                 const PointSource& normals);
+void bindLines(const Gpu& gpu, const Bindings& bindings, const LineMesh& lines, const PointSource& positions);
 
 }  // namespace honeycomb::Viewer

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <limits>
 
 #include "osd/vulkan/errors.h"
 
@@ -117,6 +118,30 @@ Image Maker::image(VkFormat format, VkExtent2D extent, VkSampleCountFlagBits sam
   view.subresourceRange = {aspect, 0, 1, 0, 1};
   made.view = own(gpu_.call.vkCreateImageView, gpu_.call.vkDestroyImageView, view, "create an image view");
   return made;
+}
+
+VkCommandBuffer allocateCommandBuffer(Maker& make, const Gpu& gpu, VkCommandPool pool) {
+  auto info = structure<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
+  info.commandPool = pool;
+  info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+  info.commandBufferCount = 1;
+  VkCommandBuffer buffer = VK_NULL_HANDLE;
+  if (make.ok()) {
+    make.check(gpu.call.vkAllocateCommandBuffers(gpu.device.device, &info, &buffer), "allocate a command buffer");
+  }
+  return buffer;
+}
+
+void submitAndWait(Maker& make, const Gpu& gpu, VkCommandBuffer commands, VkFence done) {
+  auto info = structure<VkSubmitInfo>(VK_STRUCTURE_TYPE_SUBMIT_INFO);
+  info.commandBufferCount = 1;
+  info.pCommandBuffers = &commands;
+  make.check(gpu.call.vkResetFences(gpu.device.device, 1, &done), "reset a fence");
+  if (make.ok()) make.check(gpu.call.vkQueueSubmit(gpu.device.queue, 1, &info, done), "submit a picture");
+  constexpr auto kForever = std::numeric_limits<std::uint64_t>::max();
+  if (make.ok()) {
+    make.check(gpu.call.vkWaitForFences(gpu.device.device, 1, &done, VK_TRUE, kForever), "finish a picture");
+  }
 }
 
 }  // namespace honeycomb::Viewer

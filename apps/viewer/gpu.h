@@ -87,6 +87,11 @@ class Maker {
   std::optional<Error> error_;
 };
 
+/// A primary command buffer; null after a failure.
+VkCommandBuffer allocateCommandBuffer(Maker& make, const Gpu& gpu, VkCommandPool pool);
+/// Submits the recorded commands and waits for them; the fence is theirs alone.
+void submitAndWait(Maker& make, const Gpu& gpu, VkCommandBuffer commands, VkFence done);
+
 /// The device's functions and limits. Errors: of Osd::FunctionLoader.
 Result<Gpu> openGpu(const Osd::VulkanDevice& device);
 

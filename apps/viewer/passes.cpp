@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "apps/viewer/pipelines.h"
-
 namespace honeycomb::Viewer {
 namespace {
 
@@ -66,10 +64,10 @@ Owned<VkRenderPass> makeShadowPass(Maker& make, const Gpu& gpu) {
   return makePass(make, gpu, attachments, subpass, dependencies);
 }
 
-Owned<VkRenderPass> makePicturePass(Maker& make, const Gpu& gpu, VkFormat depthFormat) {
-  std::array attachments{attachment(kColourFormat, kSamples, false, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL),
-                         attachment(depthFormat, kSamples, false, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL),
-                         attachment(kColourFormat, VK_SAMPLE_COUNT_1_BIT, true, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL)};
+Owned<VkRenderPass> makePicturePass(Maker& make, const Gpu& gpu, const PictureFormats& formats) {
+  std::array attachments{attachment(formats.colour, kSamples, false, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL),
+                         attachment(formats.depth, kSamples, false, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL),
+                         attachment(formats.colour, VK_SAMPLE_COUNT_1_BIT, true, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL)};
   attachments[2].loadOp = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
   const VkAttachmentReference colour{0, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
   const VkAttachmentReference depth{1, VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};

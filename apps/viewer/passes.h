@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/viewer/gpu.h"
+#include "apps/viewer/pipelines.h"
 
 namespace honeycomb::Viewer {
 
@@ -8,6 +8,6 @@ namespace honeycomb::Viewer {
 Owned<VkRenderPass> makeShadowPass(Maker& make, const Gpu& gpu);
 
 /// Multisampled colour and depth, resolved into an image that is then copied from.
-Owned<VkRenderPass> makePicturePass(Maker& make, const Gpu& gpu, VkFormat depthFormat);
+Owned<VkRenderPass> makePicturePass(Maker& make, const Gpu& gpu, const PictureFormats& formats);
 
 }  // namespace honeycomb::Viewer

@@ -35,7 +35,7 @@ Owned<VkDescriptorSetLayout> makePointSet(Maker& make, const Gpu& gpu) {
 
 Owned<VkPipelineLayout> makeLayout(Maker& make, const Gpu& gpu, const Pipelines& pipelines) {
   const std::array sets{pipelines.sceneSet.get(), pipelines.pointSet.get()};
-  const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(PointPush)};
+  const VkPushConstantRange push{kPushStages, 0, sizeof(PointPush)};
   auto info = structure<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
   info.setLayoutCount = static_cast<std::uint32_t>(sets.size());
   info.pSetLayouts = sets.data();
@@ -57,8 +57,10 @@ struct PipelineChoice {
   std::span<const std::uint32_t> fragmentCode;  ///< empty: depth only
   VkRenderPass pass = VK_NULL_HANDLE;
   VkSampleCountFlagBits samples = kSamples;
-  bool depth = true;
+  VkCompareOp depth = VK_COMPARE_OP_LESS;
+  bool writesDepth = true;
   float slopeBias = 0;
+  bool blended = false;
 };
 
 VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, VkShaderModule module) {
@@ -80,13 +82,24 @@ VkPipelineRasterizationStateCreateInfo rasterization(const PipelineChoice& choic
   return raster;
 }
 
-VkPipelineDepthStencilStateCreateInfo depthState(bool enabled) {
+VkPipelineDepthStencilStateCreateInfo depthState(const PipelineChoice& choice) {
   auto depth =
       structure<VkPipelineDepthStencilStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO);
-  depth.depthTestEnable = enabled ? VK_TRUE : VK_FALSE;
-  depth.depthWriteEnable = depth.depthTestEnable;
-  depth.depthCompareOp = VK_COMPARE_OP_LESS;
+  depth.depthTestEnable = VK_TRUE;
+  depth.depthWriteEnable = choice.writesDepth ? VK_TRUE : VK_FALSE;
+  depth.depthCompareOp = choice.depth;
   return depth;
+}
+
+VkPipelineColorBlendAttachmentState blending(const PipelineChoice& choice) {
+  VkPipelineColorBlendAttachmentState state{};
+  state.blendEnable = choice.blended ? VK_TRUE : VK_FALSE;
+  state.srcColorBlendFactor = VK_BLEND_FACTOR_SRC_ALPHA;
+  state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+  state.srcAlphaBlendFactor = VK_BLEND_FACTOR_ZERO;
+  state.dstAlphaBlendFactor = VK_BLEND_FACTOR_ONE;
+  state.colorWriteMask = 0xf;
+  return state;
 }
 
 /// The states of a pipeline that point at one another; stays where it was made.
@@ -102,21 +115,21 @@ struct FixedState {
   VkPipelineMultisampleStateCreateInfo multisample =
       structure<VkPipelineMultisampleStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO);
   VkPipelineDepthStencilStateCreateInfo depth;
-  VkPipelineColorBlendAttachmentState opaque{};
+  VkPipelineColorBlendAttachmentState colours;
   VkPipelineColorBlendStateCreateInfo blend =
       structure<VkPipelineColorBlendStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO);
   std::array<VkDynamicState, 2> dynamicStates{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
   VkPipelineDynamicStateCreateInfo dynamic =
       structure<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
 
-  explicit FixedState(const PipelineChoice& choice) : raster(rasterization(choice)), depth(depthState(choice.depth)) {
+  explicit FixedState(const PipelineChoice& choice)
+      : raster(rasterization(choice)), depth(depthState(choice)), colours(blending(choice)) {
     assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     viewport.viewportCount = 1;
     viewport.scissorCount = 1;
     multisample.rasterizationSamples = choice.samples;
-    opaque.colorWriteMask = 0xf;
     blend.attachmentCount = choice.fragmentCode.empty() ? 0 : 1;
-    blend.pAttachments = &opaque;
+    blend.pAttachments = &colours;
     dynamic.dynamicStateCount = static_cast<std::uint32_t>(dynamicStates.size());
     dynamic.pDynamicStates = dynamicStates.data();
   }
@@ -154,23 +167,34 @@ Owned<VkPipeline> makePipeline(Maker& make, const Gpu& gpu, VkPipelineLayout lay
 
 }  // namespace
 
-Pipelines makePipelines(Maker& make, const Gpu& gpu, VkFormat depthFormat) {
+Pipelines makePipelines(Maker& make, const Gpu& gpu, const PictureFormats& formats) {
   Pipelines made;
   made.sceneSet = makeSceneSet(make, gpu);
   made.pointSet = makePointSet(make, gpu);
   made.layout = makeLayout(make, gpu, made);
   made.shadowPass = makeShadowPass(make, gpu);
-  made.picturePass = makePicturePass(make, gpu, depthFormat);
+  made.picturePass = makePicturePass(make, gpu, formats);
+  const auto pipeline = [&](const PipelineChoice& choice) {
+    return makePipeline(make, gpu, made.layout.get(), choice);
+  };
   // The bias keeps a surface out of its own shadow at the slopes where a texel spans much depth.
-  made.shadow =
-      makePipeline(make, gpu, made.layout.get(),
-                   {ShaderCode::shadowVertex(), {}, made.shadowPass.get(), VK_SAMPLE_COUNT_1_BIT, true, 1.5f});
-  made.backdrop = makePipeline(
-      make, gpu, made.layout.get(),
-      {ShaderCode::backdropVertex(), ShaderCode::backdropFragment(), made.picturePass.get(), kSamples, false, 0});
-  made.cells =
-      makePipeline(make, gpu, made.layout.get(),
-                   {ShaderCode::cellsVertex(), ShaderCode::cellsFragment(), made.picturePass.get(), kSamples, true, 0});
+  made.shadow = pipeline({.vertexCode = ShaderCode::shadowVertex(),
+                          .fragmentCode = {},
+                          .pass = made.shadowPass.get(),
+                          .samples = VK_SAMPLE_COUNT_1_BIT,
+                          .slopeBias = 1.5f});
+  const PipelineChoice cells{ShaderCode::cellsVertex(), ShaderCode::cellsFragment(), made.picturePass.get()};
+  made.cells = pipeline(cells);
+  PipelineChoice backdrop{ShaderCode::backdropVertex(), ShaderCode::backdropFragment(), made.picturePass.get()};
+  backdrop.depth = VK_COMPARE_OP_ALWAYS;
+  backdrop.writesDepth = false;
+  made.backdrop = pipeline(backdrop);
+  PipelineChoice lines{ShaderCode::linesVertex(), ShaderCode::linesFragment(), made.picturePass.get()};
+  lines.writesDepth = false;
+  lines.blended = true;
+  made.lines = pipeline(lines);
+  lines.depth = VK_COMPARE_OP_GREATER;
+  made.hiddenLines = pipeline(lines);
   return made;
 }
 

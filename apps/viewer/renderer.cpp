@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 
 #include "apps/viewer/recording.h"
 #include "apps/viewer/scene_block.h"
@@ -13,6 +12,7 @@ namespace honeycomb::Viewer {
 
 struct Renderer::State {
   Gpu gpu;
+  PictureFormats formats;
   VkExtent2D extent{};
   Pipelines pipelines;
   Targets targets;
@@ -25,13 +25,15 @@ struct Renderer::State {
 
 namespace {
 
-Result<void> checkSize(const Gpu& gpu, const RendererOptions& options) {
+constexpr float kSpikeLength = 0.025f;  ///< of a normal that is shown, in radii of the scene
+
+Result<void> checkSize(const Gpu& gpu, std::int32_t width, std::int32_t height) {
   const auto limit = static_cast<std::int64_t>(
       std::min({gpu.limits.maxImageDimension2D, gpu.limits.maxFramebufferWidth, gpu.limits.maxFramebufferHeight}));
-  if (options.width >= 1 && options.height >= 1 && options.width <= limit && options.height <= limit) return {};
+  if (width >= 1 && height >= 1 && width <= limit && height <= limit) return {};
   return fail(ErrorCode::invalidOption, fmt::format("a picture of {} x {} pixels can't be drawn; each side must be "
                                                     "between 1 and {}",
-                                                    options.width, options.height, limit));
+                                                    width, height, limit));
 }
 
 Result<void> checkPoints(const Gpu& gpu, const PointSource& points, std::int32_t count, const char* what) {
@@ -47,21 +49,9 @@ Result<void> checkPoints(const Gpu& gpu, const PointSource& points, std::int32_t
                                                what, bytes, gpu.limits.maxStorageBufferRange));
 }
 
-VkCommandBuffer allocateCommandBuffer(Maker& make, const Gpu& gpu, VkCommandPool pool) {
-  auto info = structure<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
-  info.commandPool = pool;
-  info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-  info.commandBufferCount = 1;
-  VkCommandBuffer buffer = VK_NULL_HANDLE;
-  if (make.ok()) {
-    make.check(gpu.call.vkAllocateCommandBuffers(gpu.device.device, &info, &buffer), "allocate a command buffer");
-  }
-  return buffer;
-}
-
-PointPush pushOf(const CellMesh& mesh, const PointSource& positions, const PointSource& normals) {
+PointPush pushOf(std::int32_t vertexCount, const PointSource& positions, const PointSource& normals) {
   PointPush push;
-  push.vertexCount = static_cast<std::uint32_t>(mesh.vertexCount);
+  push.vertexCount = static_cast<std::uint32_t>(vertexCount);
   push.positionOffset = static_cast<std::uint32_t>(positions.offset);
   push.positionStride = static_cast<std::uint32_t>(positions.stride);
   push.normalOffset = static_cast<std::uint32_t>(normals.offset);
@@ -69,17 +59,8 @@ PointPush pushOf(const CellMesh& mesh, const PointSource& positions, const Point
   return push;
 }
 
-/// Submits the recorded commands and waits for them.
-void submit(Maker& make, const Gpu& gpu, VkCommandBuffer commands, VkFence done) {
-  auto info = structure<VkSubmitInfo>(VK_STRUCTURE_TYPE_SUBMIT_INFO);
-  info.commandBufferCount = 1;
-  info.pCommandBuffers = &commands;
-  make.check(gpu.call.vkResetFences(gpu.device.device, 1, &done), "reset a fence");
-  if (make.ok()) make.check(gpu.call.vkQueueSubmit(gpu.device.queue, 1, &info, done), "submit a picture");
-  constexpr auto kForever = std::numeric_limits<std::uint64_t>::max();
-  if (make.ok()) {
-    make.check(gpu.call.vkWaitForFences(gpu.device.device, 1, &done, VK_TRUE, kForever), "finish a picture");
-  }
+void swapRedAndBlue(Picture& picture) {
+  for (std::size_t i = 0; i + 2 < picture.rgba.size(); i += 4) std::swap(picture.rgba[i], picture.rgba[i + 2]);
 }
 
 }  // namespace
@@ -95,12 +76,12 @@ Result<Renderer> Renderer::create(const Osd::VulkanDevice& device, const Rendere
   auto gpu = openGpu(device);
   if (!gpu) return tl::unexpected(gpu.error());
   s.gpu = *gpu;
-  if (auto sized = checkSize(s.gpu, options); !sized) return tl::unexpected(sized.error());
+  if (auto sized = checkSize(s.gpu, options.width, options.height); !sized) return tl::unexpected(sized.error());
+  s.formats = {options.colour, pickDepthFormat(s.gpu)};
   s.extent = {static_cast<std::uint32_t>(options.width), static_cast<std::uint32_t>(options.height)};
   Maker make(s.gpu);
-  const VkFormat depthFormat = pickDepthFormat(s.gpu);
-  s.pipelines = makePipelines(make, s.gpu, depthFormat);
-  s.targets = makeTargets(make, s.gpu, s.pipelines, depthFormat, s.extent);
+  s.pipelines = makePipelines(make, s.gpu, s.formats);
+  s.targets = makeTargets(make, s.gpu, s.pipelines, s.formats, s.extent);
   s.scene = make.buffer(sizeof(SceneBlock), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, Residence::device);
   s.bindings = makeBindings(make, s.gpu, s.pipelines);
   auto pool = structure<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
@@ -126,30 +107,76 @@ Result<Buffer> Renderer::uploadPoints(std::span<const float> points) const {
   return buffer;
 }
 
-Result<Picture> Renderer::draw(const CellMesh& mesh, const PointSource& positions, const PointSource& normals,
-                               const View& view) {
+Result<LineMesh> Renderer::upload(std::int32_t vertexCount, std::span<const std::int32_t> pairs) const {
+  return uploadLines(state_->gpu, vertexCount, pairs);
+}
+
+void Renderer::recolour(CellMesh& mesh, std::span<const std::uint32_t> faceColours) {
+  std::memcpy(mesh.faceColours.mapped, faceColours.data(),
+              std::min<std::size_t>(faceColours.size_bytes(), mesh.faceColours.size));
+}
+
+VkImage Renderer::image() const {
+  return state_->targets.resolved.image.get();
+}
+
+VkExtent2D Renderer::extent() const {
+  return state_->extent;
+}
+
+Result<void> Renderer::resize(std::int32_t width, std::int32_t height) {
   State& s = *state_;
-  if (auto fits = checkPoints(s.gpu, positions, mesh.vertexCount, "positions"); !fits) {
-    return tl::unexpected(fits.error());
-  }
-  if (auto fits = checkPoints(s.gpu, normals, mesh.vertexCount, "normals"); !fits) return tl::unexpected(fits.error());
+  if (auto sized = checkSize(s.gpu, width, height); !sized) return sized;
+  const VkExtent2D extent{static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+  Maker make(s.gpu);
+  Targets targets = makeTargets(make, s.gpu, s.pipelines, s.formats, extent);
+  if (!make.ok()) return tl::unexpected(*make.error());
+  s.targets = std::move(targets);
+  s.extent = extent;
+  bindScene(s.gpu, s.bindings, s.scene, s.targets);
+  return {};
+}
+
+Result<void> Renderer::record(VkCommandBuffer commands, const Subject& subject, const View& view) {
+  State& s = *state_;
+  const CellMesh& mesh = subject.mesh;
+  if (auto fits = checkPoints(s.gpu, subject.positions, mesh.vertexCount, "positions"); !fits) return fits;
+  if (auto fits = checkPoints(s.gpu, subject.normals, mesh.vertexCount, "normals"); !fits) return fits;
   const SceneBlock scene = arrangeScene(view.camera, view.bounds, view.style, {s.extent.width, s.extent.height});
   std::memcpy(s.scene.mapped, &scene, sizeof scene);
-  bindPoints(s.gpu, s.bindings, mesh, positions, normals);
+  bindPoints(s.gpu, s.bindings, mesh, subject.positions, subject.normals);
+  Shot shot{s.pipelines, s.targets, s.bindings, mesh, pushOf(mesh.vertexCount, subject.positions, subject.normals),
+            s.extent};
+  shot.shadows = shadowCount(view.style.lighting);
+  if (subject.spikes) shot.spikes = kSpikeLength * view.bounds.radius();
+  if (subject.cage != nullptr) {
+    const LineMesh& cage = *subject.cage;
+    if (auto fits = checkPoints(s.gpu, subject.cagePoints, cage.vertexCount, "control points"); !fits) return fits;
+    bindLines(s.gpu, s.bindings, cage, subject.cagePoints);
+    shot.cage = pushOf(cage.vertexCount, subject.cagePoints, subject.cagePoints);
+    shot.cageLines = cage.lineCount;
+  }
+  recordPicture(s.gpu, commands, shot);
+  return {};
+}
+
+Result<Picture> Renderer::draw(const Subject& subject, const View& view) {
+  State& s = *state_;
   Maker make(s.gpu);
   auto begin = structure<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   make.check(s.gpu.call.vkBeginCommandBuffer(s.commands, &begin), "begin a command buffer");
-  if (make.ok()) {
-    const Shot shot{s.pipelines, s.targets, s.bindings, mesh, pushOf(mesh, positions, normals), s.extent};
-    recordPicture(s.gpu, s.commands, shot);
-    make.check(s.gpu.call.vkEndCommandBuffer(s.commands), "end a command buffer");
-  }
-  if (make.ok()) submit(make, s.gpu, s.commands, s.done.get());
+  if (!make.ok()) return tl::unexpected(*make.error());
+  const auto recorded = record(s.commands, subject, view);
+  if (recorded) recordReadback(s.gpu, s.commands, s.targets.resolved.image.get(), s.targets.pixels.get(), s.extent);
+  make.check(s.gpu.call.vkEndCommandBuffer(s.commands), "end a command buffer");
+  if (!recorded) return tl::unexpected(recorded.error());
+  if (make.ok()) submitAndWait(make, s.gpu, s.commands, s.done.get());
   if (!make.ok()) return tl::unexpected(*make.error());
   Picture picture{static_cast<std::int32_t>(s.extent.width), static_cast<std::int32_t>(s.extent.height), {}};
   picture.rgba.resize(s.targets.pixels.size);
   std::memcpy(picture.rgba.data(), s.targets.pixels.mapped, picture.rgba.size());
+  if (s.formats.colour == VK_FORMAT_B8G8R8A8_SRGB) swapRedAndBlue(picture);
   return picture;
 }
 

@@ -6,10 +6,17 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace honeycomb::Viewer {
+
+std::uint32_t shadowCount(Lighting lighting) {
+  return lighting == Lighting::full ? kLights : 1;
+}
+
 namespace {
 
 constexpr int kKeyLights = 4;
 constexpr int kDomeLights = kLights - kKeyLights;
+constexpr int kQuickLights = 4;       ///< one key light, and a dome without shadows
+constexpr float kQuickDome = 0.9f;    ///< dimmer: the hollows that it would leave dark are all over
 constexpr float kKeySpread = 0.055f;  ///< tangent of the half-angle the key light is seen under
 constexpr float kKeyBlur = 0.008f;    ///< of a shadow's edge, in tiles
 constexpr float kDomeBlur = 0.012f;
@@ -72,11 +79,26 @@ LightBlock domeLight(int i, const StudioAxes& axes) {
   return {{}, glm::vec4(direction, kDomeBlur), glm::vec4(radiance, 0)};
 }
 
-void arrangeLights(SceneBlock& scene, const StudioAxes& axes, const Bounds& bounds) {
+/// Light i of the few that quick pictures have.
+LightBlock quickLight(int i, const StudioAxes& axes) {
+  if (i == 0) return {{}, glm::vec4(keyDirection(axes), kKeyBlur), glm::vec4(kKeyColour * kKeyPower, 0)};
+  LightBlock light = domeLight((2 * i - 1) * kDomeLights / (2 * (kQuickLights - 1)), axes);
+  light.radiance *= kQuickDome * static_cast<float>(kDomeLights) / (kQuickLights - 1);
+  return light;
+}
+
+LightBlock fullLight(int i, const StudioAxes& axes) {
+  return i < kKeyLights ? keyLight(i, axes) : domeLight(i - kKeyLights, axes);
+}
+
+void arrangeLights(SceneBlock& scene, const StudioAxes& axes, const Bounds& bounds, Lighting lighting) {
+  const int count = lighting == Lighting::full ? kLights : kQuickLights;
+  scene.rimDirection.w = static_cast<float>(count);
+  scene.rimRadiance.w = static_cast<float>(shadowCount(lighting));
   const float radius = std::max(bounds.radius(), 1e-6f);
   float onGround = 0;
-  for (int i = 0; i < kLights; ++i) {
-    LightBlock light = i < kKeyLights ? keyLight(i, axes) : domeLight(i - kKeyLights, axes);
+  for (int i = 0; i < count; ++i) {
+    LightBlock light = lighting == Lighting::full ? fullLight(i, axes) : quickLight(i, axes);
     light.toTile = tileMatrix(glm::vec3(light.direction), bounds.centre(), radius);
     light.radiance.w = light.radiance.y * std::max(light.direction.y, 0.0f);
     onGround += light.radiance.w;
@@ -106,8 +128,8 @@ SceneBlock arrangeScene(const Camera& camera, const Bounds& bounds, const Style&
   scene.rimRadiance = glm::vec4(0.42f, 0.45f, 0.50f, 0);
   scene.keyDirection = glm::vec4(keyDirection(axes), 60);
   scene.keyRadiance = glm::vec4(kKeyColour, 0.12f);
-  scene.picture = glm::vec4(size, 0, 0);
-  arrangeLights(scene, axes, bounds);
+  scene.picture = glm::vec4(size, style.flatness ? 1 : 0, style.mostBent);
+  arrangeLights(scene, axes, bounds, style.lighting);
   return scene;
 }
 

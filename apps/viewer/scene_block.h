@@ -40,6 +40,9 @@ struct SceneBlock {
   std::array<LightBlock, kLights> lights;
 };
 
+/// Lights that throw shadows: the first ones.
+std::uint32_t shadowCount(Lighting lighting);
+
 /// The studio's light arranged round the box, the key over the camera's left shoulder.
 SceneBlock arrangeScene(const Camera& camera, const Bounds& bounds, const Style& style, glm::uvec2 picture);
 

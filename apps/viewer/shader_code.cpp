@@ -6,6 +6,8 @@ namespace {
 #include "shaders/backdrop.vert.h"
 #include "shaders/cells.frag.h"
 #include "shaders/cells.vert.h"
+#include "shaders/lines.frag.h"
+#include "shaders/lines.vert.h"
 #include "shaders/shadow.vert.h"
 }  // namespace
 
@@ -17,6 +19,12 @@ std::span<const std::uint32_t> cellsVertex() {
 }
 std::span<const std::uint32_t> cellsFragment() {
   return kCellsFrag;
+}
+std::span<const std::uint32_t> linesVertex() {
+  return kLinesVert;
+}
+std::span<const std::uint32_t> linesFragment() {
+  return kLinesFrag;
 }
 std::span<const std::uint32_t> backdropVertex() {
   return kBackdropVert;

@@ -3,9 +3,9 @@
 #include <memory>
 #include <span>
 
+#include "apps/viewer/poses.h"
 #include "apps/viewer/renderer.h"
 #include "far/tables/refinement.h"
-#include "osd/vulkan/frames.h"
 
 namespace honeycomb::Viewer {
 
@@ -14,16 +14,16 @@ namespace honeycomb::Viewer {
 class SurfacePainter {
  public:
   /// The refinement must have its limits (RefineOptions::limits). `device` must outlive the painter.
-  /// Errors: those of Osd::VulkanEvaluator::upload, Osd::VulkanFrames::create and Renderer::create.
+  /// Errors: those of DevicePoses::create and Renderer::create.
   static Result<SurfacePainter> create(const Osd::VulkanDevice& device, const Far::Refinement& refinement,
                                        const RendererOptions& options,
                                        const Osd::VulkanEvaluatorOptions& evaluation = {});
 
   /// Sends the control points of a frame off, 3 numbers each; pictures are drawn behind it on the device, without a
   /// wait here. Errors: invalidOption for another number of points; deviceLost.
-  Result<void> pose(std::span<const float> control);
+  Result<void> pose(std::span<const float> control) { return poses_.send(control); }
   /// The refined points of the last pose, waited for; empty before the first and when the device is lost.
-  std::span<const float> points() const;
+  std::span<const float> points() const { return poses_.refined(); }
   Bounds bounds() const { return boundsOf(points()); }
 
   /// The last pose: its surface, or the control mesh it was refined from, whose faces are always faceted. Errors:
@@ -32,11 +32,9 @@ class SurfacePainter {
   Result<Picture> cage(const View& view);
 
  private:
-  SurfacePainter(Osd::VulkanFrames frames, Renderer renderer, CellMesh cells, CellMesh cage);
-  Result<PointSource> pointsOf(Osd::PointBuffer points) const;
+  SurfacePainter(DevicePoses poses, Renderer renderer, CellMesh cells, CellMesh cage);
 
-  Osd::VulkanFrames frames_;
-  Osd::VulkanTicket posed_;
+  DevicePoses poses_;
   Renderer renderer_;
   CellMesh cells_;
   CellMesh cage_;

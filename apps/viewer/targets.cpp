@@ -47,7 +47,8 @@ VkFormat pickDepthFormat(const Gpu& gpu) {
   return VK_FORMAT_D16_UNORM;
 }
 
-Targets makeTargets(Maker& make, const Gpu& gpu, const Pipelines& pipelines, VkFormat depthFormat, VkExtent2D extent) {
+Targets makeTargets(Maker& make, const Gpu& gpu, const Pipelines& pipelines, const PictureFormats& formats,
+                    VkExtent2D extent) {
   constexpr std::uint32_t kSide = kTilesAcross * kTileSize;
   constexpr VkImageUsageFlags kDepthUsage = VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
   Targets made;
@@ -57,10 +58,10 @@ Targets makeTargets(Maker& make, const Gpu& gpu, const Pipelines& pipelines, VkF
   made.shadowFrame = makeFrame(make, gpu, pipelines.shadowPass.get(), shadowViews, {kSide, kSide});
   made.shadowSampler = makeShadowSampler(make, gpu);
   made.colour =
-      make.image(kColourFormat, extent, kSamples, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, VK_IMAGE_ASPECT_COLOR_BIT);
-  made.depth = make.image(depthFormat, extent, kSamples, kDepthUsage, VK_IMAGE_ASPECT_DEPTH_BIT);
+      make.image(formats.colour, extent, kSamples, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT, VK_IMAGE_ASPECT_COLOR_BIT);
+  made.depth = make.image(formats.depth, extent, kSamples, kDepthUsage, VK_IMAGE_ASPECT_DEPTH_BIT);
   made.resolved =
-      make.image(kColourFormat, extent, VK_SAMPLE_COUNT_1_BIT,
+      make.image(formats.colour, extent, VK_SAMPLE_COUNT_1_BIT,
                  VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT, VK_IMAGE_ASPECT_COLOR_BIT);
   const std::array views{made.colour.view.get(), made.depth.view.get(), made.resolved.view.get()};
   made.pictureFrame = makeFrame(make, gpu, pipelines.picturePass.get(), views, extent);

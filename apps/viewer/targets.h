@@ -17,7 +17,8 @@ struct Targets {
   Buffer pixels;  ///< 4 bytes a pixel, rows from the top
 };
 
-Targets makeTargets(Maker& make, const Gpu& gpu, const Pipelines& pipelines, VkFormat depthFormat, VkExtent2D extent);
+Targets makeTargets(Maker& make, const Gpu& gpu, const Pipelines& pipelines, const PictureFormats& formats,
+                    VkExtent2D extent);
 
 /// The first format the device can draw multisampled depth in.
 VkFormat pickDepthFormat(const Gpu& gpu);

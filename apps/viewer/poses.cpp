@@ -1,0 +1,65 @@
+#include "apps/viewer/poses.h"
+
+#include <fmt/format.h>
+
+#include "far/base/stopwatch.h"
+#include "osd/vulkan/evaluator.h"
+
+namespace honeycomb::Viewer {
+namespace {
+
+PointSource sourceOf(const Osd::FrameSlot& slot, Osd::PointBuffer points) {
+  const Osd::VulkanRange range = slot.range(points);
+  return {range.buffer, static_cast<std::int64_t>(range.offset / sizeof(float)), 3};
+}
+
+}  // namespace
+
+Result<DevicePoses> DevicePoses::create(const Osd::VulkanDevice& device, const Far::Refinement& refinement,
+                                        const DevicePosesOptions& options) {
+  auto evaluator = Osd::VulkanEvaluator::create(device, options.evaluation);
+  if (!evaluator) return tl::unexpected(evaluator.error());
+  Osd::VulkanTableOptions wanted;
+  if (options.normals) wanted.vertexLimits.normals = Osd::BufferDescriptor{};
+  const auto table = evaluator->upload(refinement, wanted);
+  if (!table) return tl::unexpected(table.error());
+  // One is drawn while the next is refined.
+  auto frames = Osd::VulkanFrames::create(
+      *evaluator, *table, {.framesInFlight = 2, .frame = {.readers = VK_PIPELINE_STAGE_VERTEX_SHADER_BIT}});
+  if (!frames) return tl::unexpected(frames.error());
+  return DevicePoses(std::move(*frames), 3 * static_cast<std::size_t>(table->controlCount()), options.normals);
+}
+
+Result<void> DevicePoses::send(std::span<const float> control) {
+  if (control.size() != controlNumbers_) {
+    return fail(ErrorCode::invalidOption, fmt::format("a frame of {} numbers was given to a mesh of {} control points",
+                                                      control.size(), controlNumbers_ / 3));
+  }
+  const auto ticket = frames_.submit(control);
+  if (!ticket) return tl::unexpected(ticket.error());
+  posed_ = *ticket;
+  return {};
+}
+
+Result<PoseTimes> DevicePoses::pose(std::span<const float> control) {
+  const Stopwatch watch;
+  if (const auto sent = send(control); !sent) return tl::unexpected(sent.error());
+  if (const auto done = frames_.wait(posed_); !done) return tl::unexpected(done.error());
+  return PoseTimes{watch.milliseconds(), 0};
+}
+
+std::span<const float> DevicePoses::refined() const {
+  const auto slot = frames_.results(posed_);
+  if (!slot || !frames_.wait(posed_)) return {};
+  return (*slot)->numbers(Osd::PointBuffer::refined);
+}
+
+Result<PosedPoints> DevicePoses::points() const {
+  const auto slot = frames_.results(posed_);
+  if (!slot) return tl::unexpected(slot.error());
+  const PointSource refined = sourceOf(**slot, Osd::PointBuffer::refined);
+  return PosedPoints{sourceOf(**slot, Osd::PointBuffer::control), refined,
+                     normals_ ? sourceOf(**slot, Osd::PointBuffer::vertexNormals) : refined};
+}
+
+}  // namespace honeycomb::Viewer
