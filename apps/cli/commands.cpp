@@ -6,8 +6,8 @@
 namespace honeycomb::Cli {
 
 std::span<const CommandEntry> commands() {
-  static constexpr std::array kCommands{CommandEntry{addRefine}, CommandEntry{addBake}, CommandEntry{addInfo},
-                                        CommandEntry{addConvert}, CommandEntry{addBench}};
+  static constexpr std::array kCommands{CommandEntry{addRefine}, CommandEntry{addBake},    CommandEntry{addPlay},
+                                        CommandEntry{addInfo},   CommandEntry{addConvert}, CommandEntry{addBench}};
   return kCommands;
 }
 

@@ -16,13 +16,28 @@ bool SchemeOptions::given(const SchemeOption& option) const {
 
 std::string SchemeOptions::text(const SchemeOption& option) const {
   const auto found = values_.find(option.name);
-  return std::string(found == values_.end() ? option.fallback
-                                            : found->second.text.value_or(std::string(option.fallback)));
+  if (found == values_.end()) return std::string(option.fallback);
+  if (found->second.number) return fmt::format("{}", *found->second.number);
+  return found->second.text.value_or(std::string(option.fallback));
 }
 
 std::optional<double> SchemeOptions::number(const SchemeOption& option) const {
   const auto found = values_.find(option.name);
   return found == values_.end() ? std::nullopt : found->second.number;
+}
+
+bool SchemeOptions::set(const SchemeOption& option, const std::string& text) {
+  Value value;
+  if (option.kind == SchemeOption::Kind::number) {
+    value.number = parseNumber(text);
+    if (!value.number) return false;
+  } else if (option.kind == SchemeOption::Kind::flag) {
+    value.flag = true;
+  } else {
+    value.text = text;
+  }
+  values_[option.name] = value;
+  return true;
 }
 
 void SchemeOptions::add(CLI::App& subcommand, const SchemeOption& option) {

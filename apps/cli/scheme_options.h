@@ -40,6 +40,11 @@ class SchemeOptions {
   /// Of a number.
   std::optional<double> number(const SchemeOption& option) const;
 
+  /// What the user has written since, in the place of the command line. False for a number that is none.
+  bool set(const SchemeOption& option, const std::string& text);
+  /// As if it had not been given.
+  void reset(const SchemeOption& option) { values_.erase(option.name); }
+
   /// Adds --scheme and the options of all schemes to a subcommand, which writes into this object: it must stay in
   /// place.
   void addTo(CLI::App& subcommand);

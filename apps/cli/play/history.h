@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace honeycomb::Cli::Play {
+
+/// The last values of something measured frame by frame, oldest first.
+class History {
+ public:
+  static constexpr std::size_t kLength = 120;
+
+  void add(float value);
+  void clear() { *this = {}; }
+  std::span<const float> values() const { return std::span(values_).last(count_); }
+  float last() const { return count_ == 0 ? 0 : values_.back(); }
+  float median() const;
+  float most() const;
+
+ private:
+  std::array<float, kLength> values_{};
+  std::size_t count_ = 0;
+};
+
+/// What a frame took, milliseconds, and how far apart backends were, in units of the last place.
+struct FrameReport {
+  double evaluate = 0, upload = 0, draw = 0;
+};
+struct Histories {
+  History evaluate, upload, draw, difference;
+};
+
+}  // namespace honeycomb::Cli::Play

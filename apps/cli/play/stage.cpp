@@ -1,0 +1,133 @@
+#include "apps/cli/play/stage.h"
+
+#include <fmt/format.h>
+
+#include "apps/cli/choice.h"
+#include "apps/cli/play/host_poses.h"
+#include "io/cache_folder.h"
+
+namespace honeycomb::Cli::Play {
+namespace {
+
+template <class Kind>
+Result<std::unique_ptr<Viewer::Poses>> onHeap(Result<Kind> poses) {
+  if (!poses) return tl::unexpected(poses.error());
+  return std::make_unique<Kind>(std::move(*poses));
+}
+
+}  // namespace
+
+Stage::Stage(std::unique_ptr<Osd::VulkanContext> context, Viewer::Renderer renderer)
+    : context_(std::move(context)), renderer_(std::move(renderer)) {}
+Stage::Stage(Stage&&) noexcept = default;
+Stage& Stage::operator=(Stage&& other) noexcept {
+  // What is on the device goes before the device does.
+  std::swap(context_, other.context_);
+  std::swap(renderer_, other.renderer_);
+  std::swap(surface_, other.surface_);
+  std::swap(cells_, other.cells_);
+  std::swap(cage_, other.cage_);
+  std::swap(colouring_, other.colouring_);
+  std::swap(poses_, other.poses_);
+  std::swap(posed_, other.posed_);
+  return *this;
+}
+Stage::~Stage() = default;
+
+Result<Stage> Stage::open(const StageOptions& options) {
+  auto context = Osd::VulkanContext::create(options.context);
+  if (!context) return tl::unexpected(context.error());
+  if (!context->supportsGraphics())
+    return fail(ErrorCode::noDevice, fmt::format("the Vulkan device '{}' doesn't draw; play needs one that does, such "
+                                                 "as Mesa's lavapipe (mesa-vulkan-drivers)",
+                                                 context->deviceName()));
+  auto owned = std::make_unique<Osd::VulkanContext>(std::move(*context));
+  auto renderer = Viewer::Renderer::create(owned->device(), options.picture);
+  if (!renderer) return tl::unexpected(renderer.error());
+  return Stage(std::move(owned), std::move(*renderer));
+}
+
+Result<void> Stage::show(std::shared_ptr<const PlaySurface> surface) {
+  const Far::Refinement& refinement = surface->refinement();
+  const Far::Topology& last = refinement.last().topology;
+  const auto colours = Viewer::cellColours(refinement, refinement.levelCount(), colouring_);
+  auto cells = renderer_.upload({last.vertexCount(), last.faceOffsets(), last.vert(), colours});
+  if (!cells) return tl::unexpected(cells.error());
+  const Far::Topology& control = refinement.level(0).topology;
+  auto cage = renderer_.upload(control.vertexCount(), Viewer::edgePairs(control));
+  if (!cage) return tl::unexpected(cage.error());
+  posed_ = nullptr;
+  poses_.clear();
+  surface_ = std::move(surface);
+  cells_ = std::move(*cells);
+  cage_ = std::move(*cage);
+  return {};
+}
+
+Result<Viewer::Poses*> Stage::poses(const std::string& backend) {
+  if (const auto found = poses_.find(backend); found != poses_.end()) return found->second.get();
+  const bool normals = surface_->hasNormals();
+  auto made = backend == "vulkan"
+                  ? onHeap(Viewer::DevicePoses::create(
+                        context_->device(), surface_->refinement(),
+                        {normals, {.pipelineCache = Osd::pipelineCacheIn(Io::cacheFolder(), context_->deviceName())}}))
+                  : onHeap(HostPoses::create(backend, *surface_, renderer_));
+  if (!made) return tl::unexpected(made.error());
+  return poses_.emplace(backend, std::move(*made)).first->second.get();
+}
+
+Result<Viewer::PoseTimes> Stage::pose(const std::string& backend, std::int32_t frame) {
+  const auto found = poses(backend);
+  if (!found) return tl::unexpected(found.error());
+  const auto control = surface_->control(frame, storage_);
+  if (!control) return tl::unexpected(control.error());
+  const auto times = (*found)->pose(*control);
+  if (!times) return tl::unexpected(surface_->ofFrame(frame, times.error()));
+  const auto vertices =
+      (*found)->refined().first(3 * static_cast<std::size_t>(surface_->refinement().last().topology.vertexCount()));
+  if (const auto finite = checkFinite<float>(vertices); !finite)
+    return tl::unexpected(surface_->ofFrame(frame, finite.error()));
+  posed_ = *found;
+  return times;
+}
+
+void Stage::recolour(Viewer::Colouring wanted) {
+  if (wanted == colouring_) return;
+  const Far::Refinement& refinement = surface_->refinement();
+  Viewer::Renderer::recolour(cells_, Viewer::cellColours(refinement, refinement.levelCount(), wanted));
+  colouring_ = wanted;
+}
+
+Result<Viewer::Subject> Stage::subject(const Appearance& appearance) {
+  if (posed_ == nullptr) return fail(ErrorCode::invalidOption, "there is no pose to draw yet");
+  const auto points = posed_->points();
+  if (!points) return tl::unexpected(points.error());
+  recolour(Viewer::looks()[appearance.look].colouring);
+  return Viewer::Subject{.mesh = cells_,
+                         .positions = points->refined,
+                         .normals = points->normals,
+                         .cage = appearance.cage ? &cage_ : nullptr,
+                         .cagePoints = points->control,
+                         .spikes = appearance.normals && surface_->hasNormals()};
+}
+
+Viewer::View Stage::view(const Appearance& appearance, const Orbit& orbit) const {
+  const Viewer::Look& look = Viewer::looks()[appearance.look];
+  Viewer::View view{orbit.camera(), surface_->bounds(), Viewer::styleOf(look, appearance.edges.value_or(look.edges))};
+  if (!surface_->hasNormals()) view.style.faceted = true;
+  return view;
+}
+
+Result<Viewer::Picture> Stage::picture(const Appearance& appearance, const Orbit& orbit) {
+  const auto shown = subject(appearance);
+  if (!shown) return tl::unexpected(shown.error());
+  return renderer_.draw(*shown, view(appearance, orbit));
+}
+
+Result<std::size_t> lookNamed(std::string_view name) {
+  const auto found = choose(Viewer::looks(), "--view", name);
+  if (!found) return tl::unexpected(found.error());
+  return static_cast<std::size_t>(*found - Viewer::looks().data());
+}
+
+}  // namespace honeycomb::Cli::Play

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "apps/cli/play/orbit.h"
+#include "apps/cli/play/surface.h"
+#include "apps/viewer/look.h"
+#include "apps/viewer/poses.h"
+#include "apps/viewer/renderer.h"
+#include "osd/vulkan/context.h"
+
+namespace honeycomb::Cli::Play {
+
+/// How a surface is shown.
+struct Appearance {
+  std::size_t look = 0;       ///< of Viewer::looks()
+  std::optional<bool> edges;  ///< none: as the look has them
+  bool cage = false;
+  bool normals = false;
+};
+
+struct StageOptions {
+  Osd::VulkanContextOptions context{};
+  Viewer::RendererOptions picture{};
+};
+
+/// A device and what is on it: a surface, what refines it, and the renderer. Belongs to one thread at a time.
+class Stage {
+ public:
+  /// Errors: noDevice where there is none that draws; those of Renderer::create.
+  static Result<Stage> open(const StageOptions& options);
+  Stage(Stage&&) noexcept;
+  Stage& operator=(Stage&&) noexcept;
+  ~Stage();
+
+  /// Brings a surface to the device in place of the one before; nothing may still draw that. After an error the one
+  /// before stays. Errors: outOfMemory, tooLarge, deviceLost.
+  Result<void> show(std::shared_ptr<const PlaySurface> surface);
+  const PlaySurface& surface() const { return *surface_; }
+
+  /// Refines a frame on that backend (vulkan, or one of backends()), whose tables are brought where they are needed
+  /// when first asked for, and makes it the pose that is drawn. Errors: those of the animation, naming the frame;
+  /// deviceLost.
+  Result<Viewer::PoseTimes> pose(const std::string& backend, std::int32_t frame);
+  /// Refined points of the last pose, x y z packed.
+  std::span<const float> refined() const { return posed_ ? posed_->refined() : std::span<const float>(); }
+
+  /// What to draw, and how, once there is a pose. The appearance's colours are brought to the device: nothing may still
+  /// be drawn. Errors: invalidOption before the first pose.
+  Result<Viewer::Subject> subject(const Appearance& appearance);
+  Viewer::View view(const Appearance& appearance, const Orbit& orbit) const;
+  /// Both, drawn and read back.
+  Result<Viewer::Picture> picture(const Appearance& appearance, const Orbit& orbit);
+
+  Viewer::Renderer& renderer() { return renderer_; }
+  const Osd::VulkanContext& context() const { return *context_; }
+
+ private:
+  Stage(std::unique_ptr<Osd::VulkanContext> context, Viewer::Renderer renderer);
+  Result<Viewer::Poses*> poses(const std::string& backend);
+  void recolour(Viewer::Colouring wanted);
+
+  std::unique_ptr<Osd::VulkanContext> context_;
+  Viewer::Renderer renderer_;
+  std::shared_ptr<const PlaySurface> surface_;
+  Viewer::CellMesh cells_;
+  Viewer::LineMesh cage_;
+  Viewer::Colouring colouring_ = Viewer::Colouring::plain;
+  std::map<std::string, std::unique_ptr<Viewer::Poses>> poses_;
+  Viewer::Poses* posed_ = nullptr;
+  FrameStorage storage_;
+};
+
+/// The look of that name. Errors: invalidOption, listing what there is.
+Result<std::size_t> lookNamed(std::string_view name);
+
+}  // namespace honeycomb::Cli::Play

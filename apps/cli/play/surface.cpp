@@ -1,0 +1,123 @@
+#include "apps/cli/play/surface.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "far/base/index.h"
+#include "far/base/stopwatch.h"
+
+namespace honeycomb::Cli::Play {
+namespace {
+
+constexpr double kUsualFramesPerSecond = 24;  ///< of animations that don't say
+constexpr std::int32_t kOutlineFrames = 8;
+constexpr std::size_t kOutlinePoints = 20000;  ///< a frame
+
+/// Every so many-th point, so that there are not too many.
+void addThinned(std::span<const float> points, std::vector<float>& outline) {
+  const std::size_t count = points.size() / 3;
+  const std::size_t step = 1 + count / kOutlinePoints;
+  for (std::size_t i = 0; i < count; i += step)
+    outline.insert(outline.end(), points.begin() + std::ptrdiff_t(3 * i), points.begin() + std::ptrdiff_t(3 * i + 3));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const PlaySurface>> PlaySurface::build(const SurfaceRequest& request) {
+  const Stopwatch watch;
+  SurfaceOptions options = request.surface;
+  options.backend = "serial";  // needs nothing of the machine: what refines is opened where it is used
+  Result<SurfacePlan> plan = planSurface(options, sizeof(float));
+  if (!plan) return tl::unexpected(plan.error());
+  const std::shared_ptr<PlaySurface> made(new PlaySurface(std::move(*plan)));
+  if (const auto read = made->readInput(request); !read) return tl::unexpected(read.error());
+  if (const auto measured = made->measure(); !measured) return tl::unexpected(measured.error());
+  made->buildMs_ = watch.milliseconds();
+  return std::shared_ptr<const PlaySurface>(made);
+}
+
+Result<void> PlaySurface::readInput(const SurfaceRequest& request) {
+  const MeshInput& input = plan_.mesh.input;
+  if (!request.animation.cache.empty() || input.frames) {
+    Result<Animation> animation = openAnimation(request.animation, input);
+    if (!animation) return tl::unexpected(animation.error());
+    animation_ = std::move(*animation);
+  } else if (!request.animation.frames.empty()) {
+    return fail(ErrorCode::invalidOption,
+                fmt::format("--frames {}: {} holds one pose only; name its animation with --cache FILE.pc2",
+                            request.animation.frames, input.file));
+  }
+  const SchemeOptions& scheme = request.surface.scheme;
+  Result<CentralPoints> central = animation_ ? readCentralCache(scheme, input, animation_->frames->info().frameCount)
+                                             : readCentralPoints(scheme, input);
+  if (!central) return tl::unexpected(central.error());
+  central_ = std::move(*central);
+  const auto chain = readChain(scheme, request.surface.levels);
+  if (!chain) return tl::unexpected(chain.error());
+  normals_ = chain->parts.back().scheme->limits;
+  Result<Far::Refinement> refinement = buildTables(plan_, {1, sizeof(float), normals_, central_.given});
+  if (!refinement) return tl::unexpected(refinement.error());
+  refinement_.emplace(std::move(*refinement));
+  return {};
+}
+
+Result<void> PlaySurface::measure() {
+  const auto backend = openTbb();
+  if (!backend) return tl::unexpected(backend.error());
+  const auto evaluator = (*backend)->evaluator(*refinement_, Normals::none);
+  if (!evaluator) return tl::unexpected(evaluator.error());
+  const std::int32_t count = std::min(frameCount(), kOutlineFrames);
+  FrameStorage storage;
+  Surface<float> surface;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const auto frame = static_cast<std::int32_t>(std::int64_t{i} * frameCount() / count);
+    const auto points = control(frame, storage);
+    if (!points) return tl::unexpected(points.error());
+    Result<void> done = (*evaluator)->evaluate(*points, surface);
+    if (done) done = checkFinite<float>(surface.vertices());
+    if (!done) return tl::unexpected(ofFrame(frame, done.error()));
+    const Viewer::Bounds box = Viewer::boundsOf(surface.vertices());
+    bounds_ = i == 0 ? box : Viewer::unite(bounds_, box);
+    addThinned(surface.vertices(), outline_);
+  }
+  return {};
+}
+
+double PlaySurface::framesPerSecond() const {
+  const double said = animation_ ? static_cast<double>(animation_->frames->info().framesPerSecond) : 0;
+  return said > 0 ? said : kUsualFramesPerSecond;
+}
+
+Result<std::span<const float>> PlaySurface::control(std::int32_t frame, FrameStorage& storage) const {
+  const MeshInput& input = plan_.mesh.input;
+  std::vector<float>& control = storage.control;
+  std::span<const float> vertices;
+  if (animation_) {
+    const auto points = animation_->frames->frame(frameNumber(frame), storage.frame);
+    if (!points) return tl::unexpected(inFile(animation_->file, points.error()));
+    vertices = takeVertices(input, *points, control);
+  } else {
+    control.assign(input.mesh.positions.begin(), input.mesh.positions.end());
+    vertices = control;
+  }
+  if (!central_.given) return vertices;
+  if (vertices.data() != control.data()) control.assign(vertices.begin(), vertices.end());
+  if (central_.cache) {
+    const auto central = central_.cache->frame(frameNumber(frame));
+    if (!central) return tl::unexpected(inFile(central_.file, central.error()));
+    control.insert(control.end(), central->begin(), central->end());
+  } else if (!central_.positions.empty()) {
+    for (const double number : central_.positions) control.push_back(static_cast<float>(number));
+  } else {
+    appendOffsetPoints<float>(input.mesh.polygons, central_.offsets, control);
+  }
+  return control;
+}
+
+Error PlaySurface::ofFrame(std::int32_t frame, Error error) const {
+  if (animation_) error.message = fmt::format("{}: frame {}: {}", animation_->file, frameNumber(frame), error.message);
+  return inFile(file(), error);
+}
+
+}  // namespace honeycomb::Cli::Play
