@@ -32,7 +32,7 @@ struct VertexFrames {
 /// Of faces `face` .. as many as kTogether vectors of D hold at once; returns the first left. kSides: points a vertex
 /// reads, kEach: points of a face, any number if 0.
 template <int kSides, int kEach, int kTogether, class D, class Sink>
-HWY_INLINE std::int32_t facesOfFrames(D d, const VertexFrames& frames, Sink sink, std::int32_t face) {
+HWY_INLINE std::int32_t facesOfFrames(D d, const VertexFrames frames, Sink sink, std::int32_t face) {
   const int n = kSides > 0 ? kSides : frames.group.sides;
   const int each = kEach > 0 ? kEach : frames.group.each;
   const TangentWeights<kSides, D> w(d, frames.weights, n);

@@ -47,17 +47,11 @@ HWY_INLINE hn::Vec<D> turnedOnce(D d, hn::Vec<D> v) {
   return hn::BitCast(d, hn::TableLookupBytes(hn::BitCast(bytes, v), hn::LoadDup128(bytes, kTurn)));
 }
 
-/// (z x y w) of each block.
-template <class D>
-HWY_INLINE hn::Vec<D> turnedTwice(D d, hn::Vec<D> v) {
-  const hn::Repartition<std::uint8_t, D> bytes;
-  alignas(16) static constexpr std::uint8_t kTurn[16] = {8, 9, 10, 11, 0, 1, 2, 3, 4, 5, 6, 7, 12, 13, 14, 15};
-  return hn::BitCast(d, hn::TableLookupBytes(hn::BitCast(bytes, v), hn::LoadDup128(bytes, kTurn)));
-}
-
+/// a x b, with the products and differences of Kernels::unitNormal: found as (z x y), then turned, which is one turn
+/// less.
 template <class D>
 HWY_INLINE hn::Vec<D> cross(D d, hn::Vec<D> a, hn::Vec<D> b) {
-  return turnedOnce(d, a) * turnedTwice(d, b) - turnedTwice(d, a) * turnedOnce(d, b);
+  return turnedOnce(d, a * turnedOnce(d, b) - turnedOnce(d, a) * b);
 }
 
 /// The squares of the lengths of the blocks of one to four vectors: lane i of a block is that of v[i].
@@ -204,8 +198,7 @@ constexpr int kUnitTogether = N == 6 ? 2 : 1;
 /// Returns the first face left.
 template <int N, int kTogether, class D, class Sink>
 HWY_INLINE std::int32_t cornerNormals(D d, const Far::TileStep& step, const Far::TilePoint* faces, int neighbours,
-                                      const Kernels::Outputs& outputs, const float* normals, Sink sink,
-                                      std::int32_t g) {
+                                      const Kernels::Outputs outputs, const float* normals, Sink sink, std::int32_t g) {
   const int n = N > 0 ? N : step.width;
   const std::size_t stride = at(1 + n * neighbours);
   for (; g + kTogether * kBlocks<D> <= step.count; g += kTogether * kBlocks<D>) {

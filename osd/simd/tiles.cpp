@@ -21,38 +21,71 @@ namespace honeycomb::Osd::Simd::HWY_NAMESPACE {
 
 using Views = Kernels::TileViews<float>;
 
-/// One row: weights[0] p_0 + ..., its index'th entries `step` apart for K rows at a time.
-template <class D>
-HWY_INLINE hn::Vec<D> rowsSum(D d, const float* scratch, const float* weights, const TilePoint* index,
+/// One row: weights[0] p_0 + ..., its index'th entries `step` apart for K rows at a time. N entries, or `entries` if 0.
+template <int N, class D, class Weights>
+HWY_INLINE hn::Vec<D> rowsSum(D d, const float* own, const Weights& weights, const TilePoint* index,
                               std::int32_t entries) {
-  auto sum = hn::Set(d, weights[0]) * loadOwn(d, scratch, index, at(entries));
-  for (std::int32_t j = 1; j < entries; ++j) {
-    sum = sum + hn::Set(d, weights[j]) * loadOwn(d, scratch, index + j, at(entries));
-  }
+  const int n = N > 0 ? N : entries;
+  auto sum = weights[0] * loadOwn(d, own, index, at(n));
+  HWY_UNROLL(4)
+  for (int j = 1; j < n; ++j) sum = sum + weights[j] * loadOwn(d, own, index + j, at(n));
   return sum;
 }
 
 template <class D, class Sink>
-HWY_INLINE void storeRows(D d, hn::Vec<D> v, const StageTarget& target, const Views& views, std::int32_t row,
-                          Sink sink) {
-  if (target.kept >= 0) hn::StoreU(v, d, views.scratch + kTileStride * (target.kept + row));
+HWY_INLINE void storeRows(D d, hn::Vec<D> v, const StageTarget& target, float* own, std::int32_t row, Sink sink) {
+  if (target.kept >= 0) hn::StoreU(v, d, own + kTileStride * (target.kept + row));
   if (target.wanted) sink.put(d, &v, 1, target.outputs, row);
 }
 
-template <class Sink>
-void denseRows(const Far::TileTable& table, const TileStep& step, const Views& views, Sink sink) {
-  const Wide d;
-  const StageTarget target = Kernels::stageTarget(table, step, 0, views.level, views.last);
-  const float* w = table.weightsSingle.data() + table.stages[at(step.firstStage)].firstWeight;
-  const TilePoint* index = table.indices.data() + step.firstIndex;
-  constexpr std::int32_t kAtOnce = kBlocks<Wide>;
-  std::int32_t row = 0;
-  for (; row + kAtOnce <= step.count; row += kAtOnce) {
-    storeRows(d, rowsSum(d, views.scratch, w, index + row * step.width, step.width), target, views, row, sink);
+/// The rows of a dense step on a tile's own points.
+struct DenseRows {
+  float* own;
+  const TilePoint* index;
+  const float* weights;
+  StageTarget target;
+  std::int32_t count;
+  std::int32_t width;
+
+  DenseRows(const Far::TileTable& table, const TileStep& step, const Views& views)
+      : own(views.scratch),
+        index(table.indices.data() + step.firstIndex),
+        weights(table.weightsSingle.data() + table.stages[at(step.firstStage)].firstWeight),
+        target(Kernels::stageTarget(table, step, 0, views.level, views.last)),
+        count(step.count),
+        width(step.width) {}
+};
+
+/// Rows `row`, row + K, .. as long as there are K more. Returns the first that is left.
+template <int N, class D, class Sink>
+HWY_INLINE std::int32_t someDenseRows(D d, const DenseRows& rows, std::int32_t row, Sink sink) {
+  const StageTarget target = rows.target;
+  const WideWeights<D, N> weights(d, rows.weights);
+  const int n = N > 0 ? N : rows.width;
+  const TilePoint* index = rows.index + at(row) * at(n);
+  for (; row + kBlocks<D> <= rows.count; row += kBlocks<D>, index += kBlocks<D> * n) {
+    storeRows(d, rowsSum<N>(d, rows.own, weights, index, n), target, rows.own, row, sink);
   }
-  const Block block;
-  for (; row < step.count; ++row) {
-    storeRows(block, rowsSum(block, views.scratch, w, index + row * step.width, step.width), target, views, row, sink);
+  return row;
+}
+
+template <int N, class Sink>
+void denseRowsOf(const DenseRows& rows, Sink sink) {
+  const std::int32_t row = someDenseRows<N>(Wide(), rows, 0, sink);
+  if constexpr (kBlocks < Wide >> 1) someDenseRows<N>(Block(), rows, row, sink);
+}
+
+template <class Sink>
+void denseRows(const DenseRows& rows, Sink sink) {
+  switch (rows.width) {
+    case 2:
+      return denseRowsOf<2>(rows, sink);
+    case 3:
+      return denseRowsOf<3>(rows, sink);
+    case 4:
+      return denseRowsOf<4>(rows, sink);
+    default:
+      denseRowsOf<0>(rows, sink);
   }
 }
 
@@ -63,8 +96,8 @@ void looseRows(const Far::TileTable& table, const TileStep& step, const Views& v
   const TilePoint* index = table.indices.data() + step.firstIndex;
   for (std::int32_t r = 0; r < step.count; ++r) {
     const Far::TileRow& row = table.rows[at(step.firstRow + r)];
-    const float* w = table.weightsSingle.data() + row.firstWeight;
-    storeRows(d, rowsSum(d, views.scratch, w, index, row.entries), target, views, r, sink);
+    const WideWeights<Block, 0> weights(d, table.weightsSingle.data() + row.firstWeight);
+    storeRows(d, rowsSum<0>(d, views.scratch, weights, index, row.entries), target, views.scratch, r, sink);
     index += row.entries;
   }
 }
@@ -80,7 +113,7 @@ void stepsOf(const Far::TileTable& table, const Far::Tile& tile, const Views& vi
         facesOf(StepFaces(table, step, views, stages), sink);
         break;
       case TileStep::Kind::dense:
-        denseRows(table, step, views, sink);
+        denseRows(DenseRows(table, step, views), sink);
         break;
       case TileStep::Kind::loose:
         looseRows(table, step, views, sink);
