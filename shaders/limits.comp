@@ -3,15 +3,13 @@
 // FrameBatch: one invocation an element; its limit position, and its unit normal T1 x T2. kLength is 3.
 #include "evaluate.glsl"
 #include "source.glsl"
+#include "unit.glsl"
 
 layout(set = 0, binding = 1) restrict readonly buffer Indices { uint indices[]; };
 layout(set = 0, binding = 2) restrict readonly buffer Weights { float weights[]; };
 layout(set = 0, binding = 3) restrict writeonly buffer Positions { float positions[]; };
 layout(set = 0, binding = 4) restrict writeonly buffer Normals { float normals[]; };
 layout(set = 0, binding = 5) restrict readonly buffer Elements { uint elements[]; };
-
-const float kSmallest = 1.17549435e-38;  // FLT_MIN
-const float kLargest = 3.40282347e+38;   // FLT_MAX
 
 // Up to 16 sides are a constant. Their loops are unrolled, and their weights are read once, before invocations part.
 const bool kUnrolled = kSides != 0u;
@@ -63,21 +61,6 @@ void addBlock(uint index, uint first, inout precise vec3 position, inout precise
     tangent1 = tangent1 + sumA;
     tangent2 = tangent2 + sumB;
   }
-}
-
-vec3 unitNormal(vec3 s, vec3 t) {
-  precise float xa = s.y * t.z, xb = s.z * t.y;
-  precise float ya = s.z * t.x, yb = s.x * t.z;
-  precise float za = s.x * t.y, zb = s.y * t.x;
-  precise float x = xa - xb, y = ya - yb, z = za - zb;
-  precise float xx = x * x, yy = y * y, zz = z * z;
-  precise float q = xx + yy;
-  q = q + zz;
-  if (!(q >= kSmallest && q <= kLargest)) return vec3(0.0);
-  precise float root = sqrt(q);
-  precise float r = 1.0 / root;
-  precise vec3 normal = vec3(x * r, y * r, z * r);
-  return normal;
 }
 
 // A result that isn't wanted has a stride of 0, or a window of no numbers.

@@ -12,6 +12,9 @@
 layout(constant_id = 10) const uint kCases = 0xffffffffu;  // bit k: the table has steps of case k
 layout(constant_id = 11) const uint kPlacing = 0u;         // how points are written: one of the three below
 layout(constant_id = 12) const bool kShares = true;        // tiles import shared points
+layout(constant_id = 13) const uint kOtherCases = 0xffffffffu;  // as kCases, from case 32 on
+layout(constant_id = 14) const uint kNormalPage = 1u;           // pages of points come first, then those of normals
+layout(constant_id = 15) const bool kNormalPairs = false;       // two packed normals of a face are three aligned vec2
 
 // Osd::TilePlacing. Stores are what lavapipe is slowest at, and cost by their number.
 const uint kNumbers = 0u;  // number by number
@@ -27,13 +30,19 @@ layout(set = 0, binding = 7) uniform usamplerBuffer table;
 
 const uint kSharedImport = 0x80000000u;
 
-// Cases, as osd/vulkan/tile_image.cpp numbers them: three for each shape of circulants, two for rows.
+// Cases, as osd/vulkan/tile_cases.h numbers them: four for each shape of circulants and for rows.
 const uint kKept = 0u;     // no stage is wanted
 const uint kBoth = 1u;     // the last stage is, others come before it
 const uint kWritten = 2u;  // the only stage is
-const uint kAnySides = 24u;
-const uint kFirstDense = 25u;
-const uint kFirstLoose = 27u;
+const uint kAlso = 3u;     // the last stage is, and is kept too
+const uint kAnySides = 32u;
+const uint kFirstDense = 33u;
+const uint kFirstLoose = 37u;
+const uint kImportedNormals = 41u;
+const uint kFirstFaceNormals = 42u;    // two, of hexagons and of any face
+const uint kFirstVertexNormals = 44u;  // two, of vertices that read six points and of any
+const uint kFirstCornerNormals = 46u;  // two, of hexagons with one neighbour a corner and of any face
+const uint kSummedNormals = 48u;
 
 struct Step {
   uint which;
@@ -43,7 +52,7 @@ struct Step {
   uint firstStage;   // texel
   uint kept;         // stages whose points are kept
   uint begins;       // 1: reads what the steps before wrote
-  uint written;      // 1: behind these stages is one that is written
+  uint written;      // 1: behind these stages is one that is written; 2: the last of these is
 };
 
 Step stepAt(uint texel) {
@@ -58,14 +67,19 @@ float weightAt(uint texel, uint k) { return weightsAt(texel + k / 4u)[k % 4u]; }
 // Two numbers of points a word.
 uint halfOf(uint word, uint k) { return (k & 1u) == 0u ? word & 0xffffu : word >> 16; }
 
-void writeNumber(uint n, float value) {
+// Of a point, or of a normal.
+void writeNumber(uint n, float value, const bool normal) {
   if (kPageShift == 0u) {
-    target[0].values[n] = value;
+    if (normal) {
+      target[1].values[n] = value;
+    } else {
+      target[0].values[n] = value;
+    }
     return;
   }
   const uint i = n & ((1u << kPageShift) - 1u);
   // Pages are picked by constants, as in source.glsl.
-  switch (n >> kPageShift) {
+  switch ((n >> kPageShift) + (normal ? kNormalPage : 0u)) {
     case 0u: target[0].values[i] = value; break;
     case 1u: target[1].values[i] = value; break;
     case 2u: target[2].values[i] = value; break;
@@ -83,10 +97,10 @@ void writePoint(uint point, vec4 p) {
     wholeTarget[0].values[n / 4u] = p;
     return;
   }
-  writeNumber(n, p.x);
-  if (kLength > 1u) writeNumber(n + 1u, p.y);
-  if (kLength > 2u) writeNumber(n + 2u, p.z);
-  if (kLength > 3u) writeNumber(n + 3u, p.w);
+  writeNumber(n, p.x, false);
+  if (kLength > 1u) writeNumber(n + 1u, p.y, false);
+  if (kLength > 2u) writeNumber(n + 2u, p.z, false);
+  if (kLength > 3u) writeNumber(n + 3u, p.w, false);
 }
 
 // The points of a face, the first of which is even.
@@ -165,28 +179,41 @@ void importPoints(uint first, uint count) {
 
 #include "tile_any_faces.glsl"
 #include "tile_rows.glsl"
+#include "unit.glsl"
+#include "tile_normals.glsl"
 
-bool isCase(Step step, uint which) { return ((kCases >> which) & 1u) != 0u && step.which == which; }
+bool isCase(Step step, uint which) {
+  const uint cases = which < 32u ? kCases : kOtherCases;
+  return ((cases >> (which % 32u)) & 1u) != 0u && step.which == which;
+}
 
-#define RUN_FACES(shape, faces)                              \
-  if (isCase(step, 3u * shape + kKept)) faces(step, kKept);  \
-  if (isCase(step, 3u * shape + kBoth)) faces(step, kBoth);  \
-  if (isCase(step, 3u * shape + kWritten)) faces(step, kWritten)
+#define RUN_CASES(first, run)                               \
+  if (isCase(step, first + kKept)) run(step, kKept);        \
+  if (isCase(step, first + kBoth)) run(step, kBoth);        \
+  if (isCase(step, first + kWritten)) run(step, kWritten);  \
+  if (isCase(step, first + kAlso)) run(step, kAlso)
 
 void runStep(Step step) {
-  RUN_FACES(0u, facesQuad);
-  RUN_FACES(1u, facesHexagon);
-  RUN_FACES(2u, facesEvenOdd4);
-  RUN_FACES(3u, facesEvenOdd6);
-  RUN_FACES(4u, facesEvenOdd8);
-  RUN_FACES(5u, facesDirect3);
-  RUN_FACES(6u, facesDirect5);
-  RUN_FACES(7u, facesDirect7);
+  RUN_CASES(0u, facesQuad);
+  RUN_CASES(4u, facesHexagon);
+  RUN_CASES(8u, facesEvenOdd4);
+  RUN_CASES(12u, facesEvenOdd6);
+  RUN_CASES(16u, facesEvenOdd8);
+  RUN_CASES(20u, facesDirect3);
+  RUN_CASES(24u, facesDirect5);
+  RUN_CASES(28u, facesDirect7);
   if (isCase(step, kAnySides)) facesAnySides(step);
-  if (isCase(step, kFirstDense)) denseRows(step, false);
-  if (isCase(step, kFirstDense + 1u)) denseRows(step, true);
-  if (isCase(step, kFirstLoose)) looseRows(step, false);
-  if (isCase(step, kFirstLoose + 1u)) looseRows(step, true);
+  RUN_CASES(kFirstDense, denseRows);
+  RUN_CASES(kFirstLoose, looseRows);
+  if (isCase(step, kImportedNormals)) importNormals(step);
+  if (isCase(step, kFirstFaceNormals)) frameNormals(step, 6u, false);
+  if (isCase(step, kFirstFaceNormals + 1u)) frameNormals(step, step.width, false);
+  if (isCase(step, kFirstVertexNormals)) frameNormals(step, 6u, true);
+  if (isCase(step, kFirstVertexNormals + 1u)) frameNormals(step, step.width, true);
+  // Unrolled only where a write is short: with pages it is a switch, and compiling takes long.
+  if (isCase(step, kFirstCornerNormals)) cornerNormals(step, kPageShift == 0u ? 6u : step.width, 1u);
+  if (isCase(step, kFirstCornerNormals + 1u)) cornerNormals(step, step.width, step.kept);
+  if (isCase(step, kSummedNormals)) summedNormals(step);
 }
 
 void main() {

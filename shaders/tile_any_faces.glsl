@@ -54,7 +54,8 @@ void facesAnySides(Step step) {
     for (uint i = 0u; i < n; ++i) {
       after[i] = ownPoint(halfOf(texelFetch(table, int(record + i / 8u))[i / 2u % 4u], i));
     }
-    for (uint s = 0u; s < step.kept + step.written; ++s) {
+    const uint stages = step.written == 1u ? step.kept + 1u : step.kept;
+    for (uint s = 0u; s < stages; ++s) {
       const uvec4 stage = texelFetch(table, int(step.firstStage + s));
       for (uint i = 0u; i < n; ++i) before[i] = after[i];
       if (n % 2u == 0u) {
@@ -62,12 +63,10 @@ void facesAnySides(Step step) {
       } else {
         evolveAnyDirect(n, stage.y);
       }
+      const bool isWritten = step.written != 0u && s + 1u == stages;
       for (uint i = 0u; i < n; ++i) {
-        if (s < step.kept) {
-          keepPoint(stage.x + face * n + i, after[i]);
-        } else {
-          writePoint(first + i, after[i]);
-        }
+        if (s < step.kept) keepPoint(stage.x + face * n + i, after[i]);
+        if (isWritten) writePoint(first + i, after[i]);
       }
     }
   }

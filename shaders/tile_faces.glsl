@@ -94,7 +94,7 @@ void FACES(Step step, const uint stages) {
       } while (s < step.kept);
     }
     if (stages != kKept) {
-      EVOLVE(p, texelFetch(table, int(step.firstStage + s)).y);
+      if (stages != kAlso) EVOLVE(p, texelFetch(table, int(step.firstStage + s)).y);
       const uint first = record[(N + 1) / 2 / 4][(N + 1) / 2 % 4];
 #if N % 2 == 0
       if (kPlacing == kPairs) {

@@ -1,15 +1,12 @@
-// Rows: one stage each, kept or written.
+// Rows: one stage each, kept or written or both.
 
-void placeRow(Step step, uint row, uint output_, bool written, vec4 p) {
-  if (written) {
-    writePoint(output_, p);
-  } else {
-    keepPoint(texelFetch(table, int(step.firstStage)).x + row, p);
-  }
+void placeRow(Step step, uint row, uint output_, const uint stages, vec4 p) {
+  if (stages != kKept) writePoint(output_, p);
+  if (stages != kWritten) keepPoint(texelFetch(table, int(step.firstStage)).x + row, p);
 }
 
 // record   (width+1)/2 words of two points each, then the output; whole texels
-void denseRows(Step step, const bool written) {
+void denseRows(Step step, const uint stages) {
   uint row = gl_LocalInvocationID.x;
   if (row >= step.count) return;
   const uint weights = texelFetch(table, int(step.firstStage)).y;
@@ -29,14 +26,14 @@ void denseRows(Step step, const bool written) {
         ++j;
       } while (j < step.width);
     }
-    placeRow(step, row, texelFetch(table, int(record + words / 4u))[words % 4u], written, sum);
+    placeRow(step, row, texelFetch(table, int(record + words / 4u))[words % 4u], stages, sum);
     row += gl_WorkGroupSize.x;
   } while (row < step.count);
 }
 
 // record   first entry (a texel), entries, output, 0
 // entries  two a texel: point, weight, point, weight
-void looseRows(Step step, const bool written) {
+void looseRows(Step step, const uint stages) {
   uint row = gl_LocalInvocationID.x;
   if (row >= step.count) return;
   do {
@@ -53,7 +50,7 @@ void looseRows(Step step, const bool written) {
         ++j;
       } while (j < record.y);
     }
-    placeRow(step, row, record.z, written, sum);
+    placeRow(step, row, record.z, stages, sum);
     row += gl_WorkGroupSize.x;
   } while (row < step.count);
 }

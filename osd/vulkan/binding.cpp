@@ -166,16 +166,21 @@ VkDescriptorBufferInfo VulkanBinding::bufferOf(const TableStage& stage, const Bo
   if (range.role == Role::normals) points = stage.normals;
   if (range.role == Role::source) points = stage.source;
   if (range.role == Role::sharedPoints) points = PointBuffer::sharedPoints;
+  if (range.role == Role::sharedNormals) points = PointBuffer::sharedNormals;
   if (range.role == Role::tileScratch) points = PointBuffer::tileScratch;
   const VulkanRange& buffer = ranges_[static_cast<std::size_t>(points)];
   return {buffer.buffer, buffer.offset + range.offset, range.size};
 }
 
+// Pages behind the last are bound to the first.
 VkDescriptorBufferInfo VulkanBinding::pageOf(const TableStage& stage, std::uint32_t page) const {
-  const VulkanRange& buffer = ranges_[static_cast<std::size_t>(stage.paged)];
-  const std::uint64_t begin = page * core_->limits.pageBytes;
-  if (begin >= stage.pagedBytes) return pageOf(stage, 0);
-  return {buffer.buffer, buffer.offset + begin, std::min(core_->limits.pageBytes, stage.pagedBytes - begin)};
+  const bool ofNormals = stage.normalPage > 0 && page >= stage.normalPage;
+  const PointBuffer points = ofNormals ? stage.normals : stage.paged;
+  const std::uint64_t bytes = ofNormals ? table_.bytesOf(stage.normals) : stage.pagedBytes;
+  const std::uint64_t begin = (ofNormals ? page - stage.normalPage : page) * core_->limits.pageBytes;
+  if (page > 0 && begin >= bytes) return pageOf(stage, 0);
+  const VulkanRange& buffer = ranges_[static_cast<std::size_t>(points)];
+  return {buffer.buffer, buffer.offset + begin, std::min(core_->limits.pageBytes, bytes - begin)};
 }
 
 void VulkanBinding::writeSet(VkDescriptorSet set, const TableStage& stage, const BoundRanges& ranges) const {

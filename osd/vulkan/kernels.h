@@ -36,17 +36,20 @@ struct Specialization {
   std::uint32_t windowed = 0;
   std::uint32_t form = 0;           ///< Far::CirculantForm
   std::uint32_t scratchPoints = 1;  ///< in shared memory
-  std::uint32_t cases = 0;          ///< TileImage::cases
+  std::uint32_t cases = 0;          ///< TileImage::cases, the lower half
   TilePlacing placing = TilePlacing::numbers;
-  std::uint32_t shares = 0;  ///< tiles import shared points
+  std::uint32_t shares = 0;       ///< tiles import shared points
+  std::uint32_t otherCases = 0;   ///< TileImage::cases, the upper half
+  std::uint32_t normalPage = 1;   ///< pages of points, behind which are those of normals
+  std::uint32_t normalPairs = 0;  ///< two normals are written together
   /// All of them in order, to be compared.
   auto constants() const {
     return std::tie(workgroupSize, length, sourceStride, targetStride, normalStride, sides, pageShift, windowed, form,
-                    scratchPoints, cases, placing, shares);
+                    scratchPoints, cases, placing, shares, otherCases, normalPage, normalPairs);
   }
   bool operator<(const Specialization& other) const { return constants() < other.constants(); }
 };
-constexpr std::uint32_t kSpecializationCount = 13;
+constexpr std::uint32_t kSpecializationCount = 16;
 static_assert(sizeof(Specialization) == kSpecializationCount * sizeof(std::uint32_t));
 
 /// Up to this many sides the loops of a kernel are unrolled and a circulant's weights are push constants. Unrolling
@@ -83,7 +86,7 @@ constexpr std::uint32_t kTableTexels = 1 + kSlotCount;
 constexpr std::uint32_t kScratchTexels = 2 + kSlotCount;
 
 /// The buffers a stage touches; a table's plan names them, a binding says which they are.
-enum class Role : std::uint32_t { table, target, normals, partials, source, sharedPoints, tileScratch };
+enum class Role : std::uint32_t { table, target, normals, partials, source, sharedPoints, sharedNormals, tileScratch };
 
 /// A range of a buffer, bytes; size 0: nothing.
 struct BoundRange {

@@ -38,7 +38,7 @@ class LimitPlanner {
 Result<std::vector<Dispatch>> LimitPlanner::plan() {
   for (const FrameBatch& batch : rows_.batches) {
     const std::int64_t most =
-        std::max<std::int64_t>(1, std::min(positions_.sliceCapacity(sections_.indices) / batch.sides,
+        std::max<std::int64_t>(1, std::min(positions_.sliceCapacity(sections_.indices) / std::max(1, batch.sides),
                                            positions_.sliceCapacity(sections_.elements)));
     for (std::int64_t begin = 0; begin < batch.count; begin += most) {
       const std::int64_t end = std::min<std::int64_t>(begin + most, batch.count);

@@ -95,6 +95,7 @@ Result<VulkanTable> TableBuilder::build(std::span<const LevelTable* const> level
 PointLayout TableBuilder::layoutOf(PointBuffer points, std::int64_t count) const {
   if (points == PointBuffer::control) return {state_.options.control, count};
   if (points == PointBuffer::refined) return {state_.options.refined, count};
+  if (points == PointBuffer::sharedNormals) return {BufferDescriptor{}, count};
   const std::int32_t length = state_.options.refined.length;
   return {{.offset = 0, .length = length, .stride = length}, count};
 }
@@ -148,7 +149,7 @@ Result<void> TableBuilder::appendFrames(std::vector<TableDispatch>& phase, const
   const PointBuffer positions = ofFaces ? PointBuffer::facePositions : PointBuffer::vertexPositions;
   const PointBuffer normals = ofFaces ? PointBuffer::faceNormals : PointBuffer::vertexNormals;
   if (rows.batches.empty()) return {};
-  const auto steps = frames(rows, layouts, results, source, positions, normals);
+  const auto steps = frames(rows, layouts, results, placeOf(source, rows.sourceCount), positions, normals);
   if (!steps) return tl::unexpected(steps.error());
   phase.insert(phase.end(), steps->front().begin(), steps->front().end());
   return {};
@@ -170,15 +171,15 @@ Result<TableBuilder::Steps> TableBuilder::level(const LevelTable& table, const P
 }
 
 Result<TableBuilder::Steps> TableBuilder::frames(const LimitRows& rows, const LimitLayouts& layouts,
-                                                 std::int64_t results, PointBuffer source, PointBuffer positions,
+                                                 std::int64_t results, const Place& source, PointBuffer positions,
                                                  PointBuffer normals) {
   TableImage image(core_->limits.alignment);
-  auto plan = planLimits(core_->limits, rows, layoutOf(source, rows.sourceCount), layouts, results, image);
+  auto plan = planLimits(core_->limits, rows, source.layout, layouts, results, image);
   if (!plan) return tl::unexpected(plan.error());
   need(positions, plan->targetBytes);
   need(normals, plan->normalBytes);
   TableStage stage;
-  stage.source = source;
+  stage.source = source.points;
   stage.target = positions;
   stage.normals = normals;
   return addStage(*plan, image, std::move(stage));

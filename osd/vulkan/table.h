@@ -40,11 +40,12 @@ enum class PointBuffer : std::uint32_t {
   partials,
   setEven,  ///< one of Far::SharedPoints, and the next
   setOdd,
-  sharedPoints,  ///< of all of them, packed
-  tileScratch    ///< a slice of texels for each workgroup
+  sharedPoints,   ///< of all of them, packed
+  sharedNormals,  ///< of faces, packed: what fast normals of tiles import
+  tileScratch     ///< a slice of texels for each workgroup
 };
 constexpr std::size_t kCallerBuffers = 6;
-constexpr std::size_t kScratchBuffers = 7;
+constexpr std::size_t kScratchBuffers = 8;
 
 /// One table on the device.
 struct TableStage {
@@ -54,6 +55,7 @@ struct TableStage {
   PointBuffer normals = PointBuffer::vertexNormals;
   PointBuffer paged = PointBuffer::control;  ///< what is bound as pages: the source of levels, the target of tiles
   std::uint64_t pagedBytes = 0;
+  std::uint32_t normalPage = 0;       ///< the first page of `normals`, behind those of `paged`; 0: these aren't bound
   DeviceHandle<VkBufferView> texels;  ///< of tiles: the buffer's
 };
 

@@ -14,7 +14,8 @@ namespace honeycomb::Osd {
 /// Are the layouts sound, with points of one length? Errors: invalidOption.
 Result<void> checkDescriptors(const VulkanTableOptions& options);
 
-/// Puts a VulkanTable together: levels and limits in table.cpp, tiles in tile_builder.cpp.
+/// Puts a VulkanTable together: levels and limits in table.cpp, tiles in tile_builder.cpp, what goes before these in
+/// tile_shared_builder.cpp.
 class TableBuilder {
  public:
   TableBuilder(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,
@@ -40,21 +41,34 @@ class TableBuilder {
   Result<Steps> level(const Far::LevelTable& table, PointBuffer source, PointBuffer target);
   Result<Steps> level(const Far::LevelTable& table, const Place& source, const Place& target);
   Result<Steps> frames(const Far::LimitRows& rows, const LimitLayouts& layouts, std::int64_t results,
-                       PointBuffer source, PointBuffer positions, PointBuffer normals);
+                       const Place& source, PointBuffer positions, PointBuffer normals);
   Result<Steps> addStage(const StagePlan& plan, const TableImage& image, TableStage stage);
   Result<void> appendFrames(std::vector<TableDispatch>& phase, const Far::LimitRows& rows, const LimitLayouts& layouts,
                             std::int64_t results, PointBuffer source);
-  Result<Place> addRoot(const Far::Refinement& refinement, const Far::TileTable& tiles, std::int32_t level);
-  Result<void> addShared(const Far::TileTable& tiles, std::int32_t level, Place source);
-  Result<void> addTiles(const Far::TileTable& tiles, std::int32_t level, const Place& root,
-                        const VulkanTileOptions& options);
-  Result<Dispatch> tileDispatch(const Far::TileTable& tiles, const StagePlanner& stage, TileScratch scratch) const;
+  Result<Place> addRoot(const Far::Refinement& refinement, const Far::TileTable& tiles);
+  Result<void> addShared(const Far::TileTable& tiles, Place source);
+  Result<void> copyShared(const Far::SharedPoints& set, std::int32_t k, const Place& points);
+  Result<void> copyRuns(std::span<const Far::SharedPoints::Run> runs, const Place& from, const Place& to);
+  Result<void> addSharedNormals(const Far::TileTable& tiles, std::int32_t k, const Place& points);
+  Result<void> addNormals(const Far::LimitRows& rows, const Place& points, const Place& normals);
+  Result<void> addTiles(const Far::TileTable& tiles, const Place& root, const VulkanTileOptions& options);
+  Result<void> checkPages(const StagePlanner& stage) const;
+  Result<Dispatch> tileDispatch(const Far::TileTable& tiles, const StagePlanner& stage, std::uint32_t points,
+                                TileScratch scratch) const;
+  void setTarget(Dispatch& dispatch, const StagePlanner& stage) const;
   Result<void> addTileStage(const TileImage& image, const Place& root, Dispatch dispatch);
   void setGroups(Dispatch& dispatch);
   void setPiece(Dispatch& dispatch, const Dispatch& whole, const TileImage& image, std::int32_t first) const;
   static PointBuffer scratchOf(std::size_t level) {
     return level % 2 == 0 ? PointBuffer::scratchEven : PointBuffer::scratchOdd;
   }
+  /// The layout of tiles' normals; none where they aren't wanted.
+  const std::optional<BufferDescriptor>& normals() const { return state_.options.vertexLimits.normals; }
+  std::uint64_t normalBytes() const {
+    return normals() ? static_cast<std::uint64_t>(normals()->extent(state_.refinedCount)) * sizeof(float) : 0;
+  }
+  Place normalPlace() const { return {PointBuffer::vertexNormals, {*normals(), state_.refinedCount}}; }
+  std::uint64_t bytesOf(PointBuffer points) const { return state_.bytes[static_cast<std::size_t>(points)]; }
   Place placeOf(PointBuffer points, std::int64_t count) const { return {points, layoutOf(points, count)}; }
   void append(Steps& steps);
   PointLayout layoutOf(PointBuffer points, std::int64_t count) const;
@@ -66,6 +80,7 @@ class TableBuilder {
   std::shared_ptr<const VulkanCore> core_;
   VulkanPipelines& pipelines_;
   VulkanTable::State state_;
+  Far::TileNormalKind normalKind_ = Far::TileNormalKind::none;  ///< wanted of tiles
 };
 
 }  // namespace honeycomb::Osd

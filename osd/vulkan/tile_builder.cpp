@@ -28,23 +28,6 @@ std::vector<std::int32_t> chosen(const Far::TileTable& tiles, const VulkanTileOp
   return all;
 }
 
-/// Copies runs of points: rows of one entry that weighs 1.
-Far::LevelTable copies(std::span<const Far::SharedPoints::Run> runs, std::int32_t sourceCount,
-                       std::int32_t targetCount) {
-  Far::LevelTable table;
-  table.sourceCount = sourceCount;
-  table.targetCount = targetCount;
-  table.weights = {1};
-  table.weightsSingle = {1};
-  Array<std::int32_t> indices;
-  for (const Far::SharedPoints::Run& run : runs) {
-    table.dense.push_back({1, run.count, static_cast<std::int32_t>(indices.size()), run.output, 0});
-    for (std::int32_t i = 0; i < run.count; ++i) indices.push_back(run.point + i);
-  }
-  table.indices = std::move(indices);
-  return table;
-}
-
 bool onCpu(const VulkanCore& core) {
   return core.type == VK_PHYSICAL_DEVICE_TYPE_CPU;
 }
@@ -62,20 +45,24 @@ Result<Kernel> chooseKernel(const VulkanCore& core, TileScratch scratch, std::ui
   return shared ? Kernel::tileShared : Kernel::tileBuffer;
 }
 
-Result<void> checkPages(const VulkanLimits& limits, const StagePlanner& stage, std::uint64_t sharedBytes) {
-  if (auto sound = stage.check(); !sound) return sound;
-  const std::uint64_t most = std::max(stage.sourceBytes(), sharedBytes);
-  if (most > limits.pageBytes) {
-    return fail(ErrorCode::tooLarge, fmt::format("tiles read {} bytes of points, this Vulkan device binds {} at once: "
-                                                 "refine level by level",
-                                                 most, limits.pageBytes));
+std::uint64_t pagesOf(std::uint64_t bytes, const VulkanLimits& limits) {
+  return (bytes + limits.pageBytes - 1) / limits.pageBytes;
+}
+
+/// Errors: invalidOption for normals that there aren't, at this level or of such points.
+Result<void> checkTileNormals(const Far::TileTable& tiles, const VulkanTableOptions& table,
+                              const BufferDescriptor& normals) {
+  if (tiles.normalKind == Far::TileNormalKind::none) {
+    return fail(ErrorCode::invalidOption, "the tiles were built without normals; ask for them in TileOptions");
   }
-  if (stage.targetBytes() > kSourcePages * limits.pageBytes) {
-    return fail(ErrorCode::tooLarge, fmt::format("tiles write {} bytes, this Vulkan device binds {} ranges of {}: "
-                                                 "refine level by level",
-                                                 stage.targetBytes(), kSourcePages, limits.pageBytes));
+  if (table.lastLevel != tiles.lastLevel) {
+    return fail(ErrorCode::invalidOption,
+                fmt::format("normals are of level {} alone; level {} was asked for", tiles.lastLevel, table.lastLevel));
   }
-  return {};
+  if (table.refined.length < 3 || table.refined.length > kPiece || normals.length != 3) {
+    return fail(ErrorCode::invalidOption, "normals (length 3) are of positions: points of length 3 or 4");
+  }
+  return checkDescriptor(normals, normals.offset, 0, "normals");
 }
 
 }  // namespace
@@ -85,11 +72,13 @@ Result<VulkanTable> TableBuilder::build(const Far::Refinement& refinement, const
   const std::int32_t level = state_.options.lastLevel;
   state_.controlCount = tiles.pointCount.front();
   state_.refinedCount = tiles.pointCount[at(level)];
-  const auto root = addRoot(refinement, tiles, level);
+  if (normals()) normalKind_ = tiles.normalKind;
+  need(PointBuffer::vertexNormals, normalBytes());
+  const auto root = addRoot(refinement, tiles);
   if (!root) return tl::unexpected(root.error());
   if (level > tiles.rootLevel) {
-    if (const auto added = addShared(tiles, level, *root); !added) return tl::unexpected(added.error());
-    if (const auto added = addTiles(tiles, level, *root, options); !added) return tl::unexpected(added.error());
+    if (const auto added = addShared(tiles, *root); !added) return tl::unexpected(added.error());
+    if (const auto added = addTiles(tiles, *root, options); !added) return tl::unexpected(added.error());
     state_.levelEnds.push_back(state_.phases.size());
   }
   VulkanTable table;
@@ -97,55 +86,36 @@ Result<VulkanTable> TableBuilder::build(const Far::Refinement& refinement, const
   return table;
 }
 
-// The root level; the wanted one where that is no later.
-Result<TableBuilder::Place> TableBuilder::addRoot(const Far::Refinement& refinement, const Far::TileTable& tiles,
-                                                  std::int32_t level) {
-  std::vector<const Far::LevelTable*> levels;
-  for (std::int32_t k = 1; k <= std::min(level, tiles.rootLevel); ++k) levels.push_back(&refinement.level(k).table);
-  if (levels.empty()) return placeOf(PointBuffer::control, tiles.rootPoints);
-  const PointBuffer last = level <= tiles.rootLevel ? PointBuffer::refined : scratchOf(levels.size() - 1);
-  if (const auto added = addLevels(levels, last); !added) return tl::unexpected(added.error());
-  return placeOf(last, levels.back()->targetCount);
-}
-
-// Set after set, each from the one before, with the points for the tiles, or those that no tile writes, copied.
-Result<void> TableBuilder::addShared(const Far::TileTable& tiles, std::int32_t level, Place source) {
-  for (std::int32_t k = tiles.rootLevel + 1; k <= level && !tiles.shared.empty(); ++k) {
-    const Far::SharedPoints& set = tiles.shared[static_cast<std::size_t>(k - tiles.rootLevel - 1)];
-    const std::int32_t count = set.table.targetCount;
-    const Place target = placeOf(k % 2 == 0 ? PointBuffer::setEven : PointBuffer::setOdd, count);
-    if (count > 0) {
-      auto steps = this->level(set.table, source, target);
-      if (!steps) return tl::unexpected(steps.error());
-      append(*steps);
-    }
-    source = target;
-    const std::vector<Far::SharedPoints::Run> all = {{0, 0, count}};
-    const auto& runs = k < level ? all : set.written;
-    if (count == 0 || runs.empty()) continue;
-    Place copy = placeOf(PointBuffer::refined, tiles.pointCount[static_cast<std::size_t>(level)]);
-    if (k < level) copy = placeOf(PointBuffer::sharedPoints, count);
-    if (k < level) copy.layout.desc.offset = set.firstPoint * state_.options.refined.length;
-    auto steps = this->level(copies(runs, count, static_cast<std::int32_t>(copy.layout.count)), target, copy);
-    if (!steps) return tl::unexpected(steps.error());
-    append(*steps);
-  }
-  return {};
-}
-
 void TableBuilder::append(Steps& steps) {
   for (auto& step : steps) state_.phases.push_back(std::move(step));
 }
 
-Result<void> TableBuilder::addTiles(const Far::TileTable& tiles, std::int32_t level, const Place& root,
-                                    const VulkanTileOptions& options) {
+Result<void> TableBuilder::checkPages(const StagePlanner& stage) const {
+  if (auto sound = stage.check(); !sound) return sound;
+  const VulkanLimits& limits = core_->limits;
+  const std::uint64_t most =
+      std::max({stage.sourceBytes(), bytesOf(PointBuffer::sharedPoints), bytesOf(PointBuffer::sharedNormals)});
+  if (most > limits.pageBytes) {
+    return fail(ErrorCode::tooLarge, fmt::format("tiles read {} bytes of points, this Vulkan device binds {} at once: "
+                                                 "refine level by level",
+                                                 most, limits.pageBytes));
+  }
+  if (pagesOf(stage.targetBytes(), limits) + pagesOf(normalBytes(), limits) > kSourcePages) {
+    return fail(ErrorCode::tooLarge, fmt::format("tiles write {} bytes, this Vulkan device binds {} ranges of {}: "
+                                                 "refine level by level",
+                                                 stage.targetBytes() + normalBytes(), kSourcePages, limits.pageBytes));
+  }
+  return {};
+}
+
+Result<void> TableBuilder::addTiles(const Far::TileTable& tiles, const Place& root, const VulkanTileOptions& options) {
   const Place target = placeOf(PointBuffer::refined, state_.refinedCount);
   const StagePlanner stage(core_->limits, root.layout, target.layout);
-  const std::uint64_t sharedBytes = state_.bytes[static_cast<std::size_t>(PointBuffer::sharedPoints)];
-  if (auto sound = checkPages(core_->limits, stage, sharedBytes); !sound) return sound;
-  auto images = TileImageBuilder(tiles, level, core_->limits.texels).build(chosen(tiles, options));
+  if (auto sound = checkPages(stage); !sound) return sound;
+  TileImageBuilder builder(tiles, state_.options.lastLevel, normalKind_, core_->limits.texels);
+  auto images = builder.build(chosen(tiles, options));
   if (!images) return tl::unexpected(images.error());
-  const auto dispatch = tileDispatch(tiles, stage, options.scratch);
+  const auto dispatch = tileDispatch(tiles, stage, builder.largestTile(), options.scratch);
   if (!dispatch) return tl::unexpected(dispatch.error());
   need(root.points, stage.sourceBytes());
   need(PointBuffer::refined, stage.targetBytes());
@@ -157,8 +127,8 @@ Result<void> TableBuilder::addTiles(const Far::TileTable& tiles, std::int32_t le
 
 // What is the same of all dispatches of tiles.
 Result<Dispatch> TableBuilder::tileDispatch(const Far::TileTable& tiles, const StagePlanner& stage,
-                                            TileScratch scratch) const {
-  const std::uint64_t slice = static_cast<std::uint64_t>(tiles.largestTile) * kTexelBytes;
+                                            std::uint32_t points, TileScratch scratch) const {
+  const std::uint64_t slice = std::uint64_t{points} * kTexelBytes;
   const auto kernel = chooseKernel(*core_, scratch, slice);
   if (!kernel) return tl::unexpected(kernel.error());
   if (slice > core_->limits.pageBytes) {
@@ -171,7 +141,6 @@ Result<Dispatch> TableBuilder::tileDispatch(const Far::TileTable& tiles, const S
   dispatch.specialization.workgroupSize = std::min(core_->limits.groupSize, onCpu(*core_) ? kGroupOnCpu : kGroupOnGpu);
   // Rounded up, so that meshes share pipelines.
   constexpr std::uint32_t kRounding = 256;
-  const auto points = static_cast<std::uint32_t>(tiles.largestTile);
   dispatch.push.firstOutput = points;
   if (*kernel == Kernel::tileShared) {
     dispatch.specialization.scratchPoints =
@@ -179,15 +148,25 @@ Result<Dispatch> TableBuilder::tileDispatch(const Far::TileTable& tiles, const S
                  core_->limits.sharedBytes / static_cast<std::uint32_t>(kTexelBytes));
   }
   dispatch.specialization.shares = tiles.shared.empty() ? 0 : 1;
-  dispatch.specialization.windowed = 0;
-  const bool paged = stage.targetBytes() > core_->limits.pageBytes;
-  dispatch.specialization.pageShift =
-      paged ? static_cast<std::uint32_t>(std::countr_zero(core_->limits.pageNumbers())) : 0;
   dispatch.push.sides = static_cast<std::uint32_t>(stage.target().desc.length);
+  setTarget(dispatch, stage);
   rangeOf(dispatch, Slot::indices) = {Role::source, 0, stage.sourceBytes()};
-  rangeOf(dispatch, Slot::weights) = {Role::sharedPoints, 0,
-                                      state_.bytes[static_cast<std::size_t>(PointBuffer::sharedPoints)]};
+  rangeOf(dispatch, Slot::weights) = {Role::sharedPoints, 0, bytesOf(PointBuffer::sharedPoints)};
+  rangeOf(dispatch, Slot::second) = {Role::sharedNormals, 0, bytesOf(PointBuffer::sharedNormals)};
   return dispatch;
+}
+
+// Points and normals are both bound as pages, or as one range each.
+void TableBuilder::setTarget(Dispatch& dispatch, const StagePlanner& stage) const {
+  const VulkanLimits& limits = core_->limits;
+  Specialization& constants = dispatch.specialization;
+  constants.windowed = 0;
+  const bool paged = std::max(stage.targetBytes(), normalBytes()) > limits.pageBytes;
+  constants.pageShift = paged ? static_cast<std::uint32_t>(std::countr_zero(limits.pageNumbers())) : 0;
+  if (!normals()) return;
+  constants.normalPage = static_cast<std::uint32_t>(pagesOf(stage.targetBytes(), limits));
+  constants.normalStride = static_cast<std::uint32_t>(normals()->stride);
+  dispatch.push.normalOffset = static_cast<std::uint32_t>(normals()->offset);
 }
 
 // A point of more than four values is evaluated in pieces, one after the other: all have the same scratch.
@@ -195,7 +174,8 @@ Result<void> TableBuilder::addTileStage(const TileImage& image, const Place& roo
   TableStage stage;
   stage.source = root.points;
   stage.paged = PointBuffer::refined;
-  stage.pagedBytes = state_.bytes[static_cast<std::size_t>(PointBuffer::refined)];
+  stage.pagedBytes = bytesOf(PointBuffer::refined);
+  if (normals()) stage.normalPage = dispatch.specialization.normalPage;
   constexpr VkBufferUsageFlags kUsage =
       VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
   const BufferPiece words{0, std::as_bytes(std::span(image.words))};
@@ -208,7 +188,8 @@ Result<void> TableBuilder::addTileStage(const TileImage& image, const Place& roo
   stage.texels = std::move(*texels);
   dispatch.push.count = image.tileCount;
   dispatch.push.firstTask = image.firstTile;
-  dispatch.specialization.cases = image.cases;
+  dispatch.specialization.cases = static_cast<std::uint32_t>(image.cases);
+  dispatch.specialization.otherCases = static_cast<std::uint32_t>(image.cases >> 32U);
   setGroups(dispatch);
   const Dispatch whole = dispatch;
   const std::int32_t length = state_.options.refined.length;
@@ -244,11 +225,13 @@ void TableBuilder::setPiece(Dispatch& dispatch, const Dispatch& whole, const Til
   dispatch.push.targetOffset = whole.push.targetOffset + begin;
   dispatch.push.firstRecord = begin;
   constants.placing = TilePlacing::numbers;
+  constants.normalPairs = 0;
   if (constants.pageShift != 0) return;
   const std::uint32_t offset = dispatch.push.targetOffset;
   if (constants.length == 4 && (offset | constants.targetStride) % 4 == 0) constants.placing = TilePlacing::whole;
   const bool packed = constants.length == 3 && constants.targetStride == 3;
   if (packed && offset % 2 == 0 && image.pairs) constants.placing = TilePlacing::pairs;
+  if (normals() && normals()->stride == 3 && normals()->offset % 2 == 0 && image.pairs) constants.normalPairs = 1;
 }
 
 Result<VulkanTable> buildTable(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,
@@ -259,6 +242,11 @@ Result<VulkanTable> buildTable(const std::shared_ptr<const VulkanCore>& core, Vu
   if (const auto sound = checkTileLevel(tiles, table.lastLevel); !sound) return tl::unexpected(sound.error());
   if (const auto sound = checkTileChoice(tiles, options.only); !sound) return tl::unexpected(sound.error());
   if (const auto sound = checkDescriptors(table); !sound) return tl::unexpected(sound.error());
+  if (options.normals) {
+    const auto sound = checkTileNormals(tiles, table, *options.normals);
+    if (!sound) return tl::unexpected(sound.error());
+    table.vertexLimits.normals = options.normals;
+  }
   return TableBuilder(core, pipelines, table).build(refinement, tiles, options);
 }
 

@@ -2,87 +2,76 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <bit>
 #include <numeric>
 
 #include "far/base/index.h"
-#include "osd/tile_kernels.h"
 
 namespace honeycomb::Osd {
 
 namespace {
 
-using Far::CirculantForm;
 using Far::TileStep;
 
 constexpr TileWord kSharedImport = 0x80000000U;
 
-// The cases of shaders/tile.glsl.
-constexpr TileWord kAnySides = 24;
-constexpr TileWord kFirstDense = 25;
-constexpr TileWord kFirstLoose = 27;
-
-// The first of the three cases of a shape that has a kernel of its own.
-TileWord facesCase(const TileStep& step) {
-  if (step.form == CirculantForm::quad) return 0;
-  if (step.form == CirculantForm::hexagon) return 3;
-  if (step.form == CirculantForm::evenOdd && step.width <= 8)
-    return 6 + 3 * (static_cast<TileWord>(step.width - 4) / 2);
-  if (step.form == CirculantForm::direct && step.width <= 7)
-    return 15 + 3 * (static_cast<TileWord>(step.width - 3) / 2);
-  return kAnySides;
-}
-
-TileWord caseOf(const TileStep& step, std::int32_t kept, bool written) {
-  if (step.kind == TileStep::Kind::dense) return kFirstDense + (written ? 1 : 0);
-  if (step.kind == TileStep::Kind::loose) return kFirstLoose + (written ? 1 : 0);
-  const TileWord first = facesCase(step);
-  if (first == kAnySides || !written) return first;
-  return first + (kept > 0 ? 1 : 2);
-}
-
 }  // namespace
 
 Result<std::vector<TileImage>> TileImageBuilder::build(std::span<const std::int32_t> tiles) {
-  std::vector<TileImage> images;
-  for (std::size_t i = 0; i < tiles.size();) {
-    const TileWord begin = texels();
-    const std::size_t tilesBefore = tiles_.size();
-    const std::uint32_t casesBefore = image_.cases;
-    addTile(table_.tiles[at(tiles[i])]);
-    if (texels() + tiles_.size() / kTexelWords <= mostTexels_) {
-      ++i;
-      continue;
-    }
-    if (tilesBefore == 0) {
-      return fail(ErrorCode::tooLarge,
-                  fmt::format("a tile's table passes this Vulkan device's {} texels: use smaller tiles "
-                              "(TileOptions::scratchPoints) or refine level by level",
-                              mostTexels_));
-    }
+  for (const std::int32_t tile : tiles) {
+    if (auto added = addWhole([&] { addTile(tile); }); !added) return tl::unexpected(added.error());
+  }
+  if (normals_ == Far::TileNormalKind::fast) {
+    if (auto added = addSharedNormals(); !added) return tl::unexpected(added.error());
+  }
+  if (!tiles_.empty()) finish();
+  return std::move(images_);
+}
+
+// What `add` adds stands in one image: where it passes this one's end, in the next.
+Result<void> TileImageBuilder::addWhole(const std::function<void()>& add) {
+  const TileWord begin = texels();
+  const std::size_t tilesBefore = tiles_.size();
+  const std::uint64_t casesBefore = image_.cases;
+  const auto fits = [&] { return texels() + tiles_.size() / kTexelWords <= mostTexels_; };
+  add();
+  if (fits()) return {};
+  if (tilesBefore > 0) {
     image_.words.resize(std::size_t{begin} * kTexelWords);
     image_.cases = casesBefore;
-    std::erase_if(weights_, [&](const auto& one) { return one.second >= begin; });
     tiles_.resize(tilesBefore);
-    finish(images);
+    finish();
+    add();
+    if (fits()) return {};
   }
-  if (!tiles_.empty()) finish(images);
-  return images;
+  return fail(ErrorCode::tooLarge,
+              fmt::format("a tile's table passes this Vulkan device's {} texels: use smaller tiles "
+                          "(TileOptions::scratchPoints) or refine level by level",
+                          mostTexels_));
 }
 
 void TileImageBuilder::fillTexel() {
   image_.words.resize((image_.words.size() + kTexelWords - 1) / kTexelWords * kTexelWords);
 }
 
-void TileImageBuilder::finish(std::vector<TileImage>& images) {
+// Two numbers a word.
+void TileImageBuilder::pushHalves(std::span<const TileWord> numbers) {
+  for (std::size_t i = 0; i < numbers.size(); i += 2) {
+    const TileWord second = i + 1 < numbers.size() ? numbers[i + 1] : 0;
+    image_.words.push_back(numbers[i] | second << 16U);
+  }
+}
+
+void TileImageBuilder::finish() {
   image_.firstTile = texels();
   image_.tileCount = static_cast<std::uint32_t>(tiles_.size() / kTexelWords);
   image_.words.insert(image_.words.end(), tiles_.begin(), tiles_.end());
-  images.push_back(std::move(image_));
+  images_.push_back(std::move(image_));
   image_ = {};
   tiles_.clear();
   weights_.clear();
+  tangentWeights_.clear();
 }
 
 // The kernels keep a step's points face after face, whatever TilePlaces says.
@@ -94,7 +83,7 @@ void TileImageBuilder::numberPoints(const Far::Tile& tile) {
     if (step.kind != TileStep::Kind::circulant) continue;
     for (const Far::TileStage& stage : std::span(table_.stages).subspan(at(step.firstStage), step.stageCount)) {
       if (stage.firstPoint < 0) continue;
-      TileWord number = static_cast<TileWord>(stage.firstPoint);
+      auto number = static_cast<TileWord>(stage.firstPoint);
       for (std::int32_t face = 0; face < step.count; ++face) {
         const Far::FacePlaces places = Far::placesOfFace(table_.places, face, step.count, step.width);
         const std::int32_t first = stage.firstPoint + places.first;
@@ -104,26 +93,34 @@ void TileImageBuilder::numberPoints(const Far::Tile& tile) {
   }
 }
 
-void TileImageBuilder::addTile(const Far::Tile& tile) {
+void TileImageBuilder::addTile(std::int32_t number) {
+  const Far::Tile& tile = table_.tiles[at(number)];
   numberPoints(tile);
   const TileWord firstImport = texels();
   addImports(tile);
-  std::vector<TileWord> steps;
   std::int32_t level = table_.rootLevel;
   for (const TileStep& step : std::span(table_.steps).subspan(at(tile.firstStep), at(tile.stepCount))) {
-    const auto words = this->step(step);
-    if (!words) continue;
-    steps.insert(steps.end(), words->begin(), words->end());
-    steps[steps.size() - 2] = step.level != level ? 1 : 0;
+    const std::size_t before = steps_.size();
+    addStep(step);
+    if (steps_.size() == before) continue;
+    steps_[before + 6] = step.level != level ? 1 : 0;
     level = step.level;
   }
-  // At a lower level a tile may have nothing to do.
-  if (steps.empty()) return;
+  firstNormal_ = static_cast<TileWord>(tile.pointCount);
+  largest_ = std::max(largest_, firstNormal_);
+  if (normals_ == Far::TileNormalKind::fast) addFastNormals(number);
+  if (normals_ == Far::TileNormalKind::exact) addExactNormals(number);
+  closeTile(firstImport, tile.importCount);
+}
+
+// At a lower level a tile may have nothing to do.
+void TileImageBuilder::closeTile(TileWord firstImport, std::int32_t imports) {
+  if (steps_.empty()) return;
   const TileWord firstStep = texels();
-  image_.words.insert(image_.words.end(), steps.begin(), steps.end());
-  const auto stepCount = static_cast<TileWord>(steps.size() / (2 * kTexelWords));
-  const std::array tileWords = {firstImport, static_cast<TileWord>(tile.importCount), firstStep, stepCount};
-  tiles_.insert(tiles_.end(), tileWords.begin(), tileWords.end());
+  image_.words.insert(image_.words.end(), steps_.begin(), steps_.end());
+  const auto stepCount = static_cast<TileWord>(steps_.size() / (2 * kTexelWords));
+  tiles_.insert(tiles_.end(), {firstImport, static_cast<TileWord>(imports), firstStep, stepCount});
+  steps_.clear();
 }
 
 void TileImageBuilder::addImports(const Far::Tile& tile) {
@@ -135,38 +132,47 @@ void TileImageBuilder::addImports(const Far::Tile& tile) {
   fillTexel();
 }
 
-// Nothing where the step has no stage that the wanted level needs.
-std::optional<std::array<TileWord, 2 * kTexelWords>> TileImageBuilder::step(const TileStep& step) {
-  const std::int32_t stages = Kernels::stagesFor(table_, step, level_, level_);
-  if (stages < 1) return std::nullopt;
-  const bool written = step.level + stages - 1 == level_;
-  const std::int32_t kept = written ? stages - 1 : stages;
-  const TileWord which = caseOf(step, kept, written);
-  image_.cases |= TileWord{1} << which;
-  const TileWord firstRecord =
-      step.kind == TileStep::Kind::loose ? addRows(step, written) : addRecords(step, written, stages - 1);
+// Nothing where the step has no stage that the wanted level needs. A step that goes on behind the wanted level is two:
+// up to that, and once more with all that is kept.
+void TileImageBuilder::addStep(const TileStep& step) {
+  const std::int32_t stages = Kernels::stagesFor(table_, step, level_, last_);
+  if (stages < 1) return;
+  const std::int32_t wanted = level_ - step.level;
+  const bool written = wanted >= 0 && wanted < stages && table_.stages[at(step.firstStage + wanted)].firstOutput >= 0;
+  const TileWord record = step.kind == TileStep::Kind::loose ? addRows(step, written) : addRecords(step, written);
   const TileWord firstStage = addStages(step, stages);
-  return std::array<TileWord, 2 * kTexelWords>{
-      which,      static_cast<TileWord>(step.count), firstRecord, static_cast<TileWord>(step.width),
-      firstStage, static_cast<TileWord>(kept),       0,           written ? 1U : 0U};
+  const auto push = [&](TileStages what, std::int32_t kept, TileWord writes) {
+    pushStep({caseOf(step, what), static_cast<TileWord>(step.count), record, static_cast<TileWord>(step.width),
+              firstStage, static_cast<TileWord>(kept), 0, writes});
+  };
+  if (!written) return push(TileStages::kept, stages, 0);
+  if (last_ == level_) return push(wanted > 0 ? TileStages::both : TileStages::written, wanted, 1);
+  push(TileStages::also, wanted + 1, 2);
+  if (stages > wanted + 1) push(TileStages::kept, stages, 0);
 }
 
-TileWord TileImageBuilder::output(const TileStep& step, std::int32_t stage, std::int32_t item) const {
-  const std::int32_t each = step.kind == TileStep::Kind::circulant ? step.width : 1;
-  return static_cast<TileWord>(Kernels::stageTarget(table_, step, stage, level_, level_).outputs.of(item, each));
+void TileImageBuilder::pushStep(StepWords words) {
+  image_.cases |= std::uint64_t{1} << words[0];
+  steps_.insert(steps_.end(), words.begin(), words.end());
 }
 
-TileWord TileImageBuilder::addRecords(const TileStep& step, bool written, std::int32_t stage) {
+// Where the points of the wanted level go.
+Kernels::Outputs TileImageBuilder::outputs(const TileStep& step) const {
+  return Kernels::stageTarget(table_, step, level_ - step.level, level_, last_).outputs;
+}
+
+TileWord TileImageBuilder::addRecords(const TileStep& step, bool written) {
   const TileWord begin = texels();
+  const bool faces = step.kind == TileStep::Kind::circulant;
+  const Kernels::Outputs outputs = written ? this->outputs(step) : Kernels::Outputs{};
   const Far::TilePoint* index = table_.indices.data() + step.firstIndex;
+  std::vector<TileWord> corners(at(step.width));
   for (std::int32_t item = 0; item < step.count; ++item, index += step.width) {
-    for (std::int32_t i = 0; i < step.width; i += 2) {
-      const TileWord second = i + 1 < step.width ? ownNumber(index[i + 1]) : 0;
-      image_.words.push_back(ownNumber(index[i]) | second << 16U);
-    }
-    const TileWord first = written ? output(step, stage, item) : 0;
+    std::transform(index, index + step.width, corners.begin(), [&](Far::TilePoint p) { return ownNumber(p); });
+    pushHalves(corners);
+    const auto first = written ? static_cast<TileWord>(outputs.of(item, faces ? step.width : 1)) : 0;
     image_.words.push_back(first);
-    image_.pairs = image_.pairs && (step.width % 2 != 0 || first % 2 == 0 || step.kind != TileStep::Kind::circulant);
+    image_.pairs = image_.pairs && (!faces || step.width % 2 != 0 || first % 2 == 0);
     fillTexel();
   }
   return begin;
@@ -174,11 +180,12 @@ TileWord TileImageBuilder::addRecords(const TileStep& step, bool written, std::i
 
 TileWord TileImageBuilder::addRows(const TileStep& step, bool written) {
   const std::span rows = std::span(table_.rows).subspan(at(step.firstRow), at(step.count));
+  const Kernels::Outputs outputs = written ? this->outputs(step) : Kernels::Outputs{};
   const TileWord first = texels();
   TileWord entry = first + static_cast<TileWord>(step.count);
   for (std::int32_t r = 0; r < step.count; ++r) {
     const auto entries = static_cast<TileWord>(rows[at(r)].entries);
-    image_.words.insert(image_.words.end(), {entry, entries, written ? output(step, 0, r) : 0, 0});
+    image_.words.insert(image_.words.end(), {entry, entries, written ? static_cast<TileWord>(outputs.of(r, 1)) : 0, 0});
     entry += (entries + 1) / 2;
   }
   const Far::TilePoint* index = table_.indices.data() + step.firstIndex;
@@ -208,7 +215,7 @@ TileWord TileImageBuilder::addStages(const TileStep& step, std::int32_t stages) 
   return first;
 }
 
-// Where the image has these weights, which tiles share.
+// Where the image has these weights, which tiles share. Those of a tile that went to the next image are not there.
 TileWord TileImageBuilder::weights(std::int32_t first, std::int32_t count) {
   const auto [place, isNew] = weights_.try_emplace(first, texels());
   if (!isNew) return place->second;

@@ -2,13 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "far/base/result.h"
 #include "far/tables/tile_table.h"
+#include "osd/tile_kernels.h"
+#include "osd/vulkan/tile_cases.h"
 
 namespace honeycomb::Osd {
 
@@ -20,51 +22,95 @@ constexpr std::size_t kTexelWords = 4;
 /// count texels from the first.
 ///     tile     first import, imports, first step, steps                    one texel each, behind all else
 ///     imports  points of the root level; with the highest bit: shared points
-///     step     case, faces, first record, width | first stage, kept stages, 1 where a new level begins, 1
-///              where a stage is written behind those kept
+///     step     case, faces, first record, width | first stage, kept stages, 1 where what the steps before wrote is
+///              read, how a stage is written: 0 none is, 1 the one behind those kept, 2 the last of these
+///              of normals: case, items, first record, width | first weight, first kept normal or neighbours, ..
 ///     stage    first point of the tile's own that is kept, first weight, 0, 0
-///     record   of faces and rows: shaders/tile_faces.glsl and tile_rows.glsl draw them
-///     weights  of a circulant's form or of dense rows, each from a texel on
+///     record   of faces, rows and normals: shaders/tile_faces.glsl, tile_rows.glsl and tile_normals.glsl draw them
+///     weights  of a circulant's form or of dense rows, or of a normal's tangents, each from a texel on
 struct TileImage {
   std::vector<TileWord> words;
   std::uint32_t firstTile = 0;
   std::uint32_t tileCount = 0;
-  std::uint32_t cases = 0;  ///< bit k: there are steps of case k
+  std::uint64_t cases = 0;  ///< bit k: there are steps of case k
   bool pairs = true;        ///< each written face of an even number of sides begins at an even point
 };
 
 /// Packs tiles until an image is full.
 class TileImageBuilder {
  public:
-  /// For level `level` behind the tiles' root level; an image has at most `mostTexels`.
-  TileImageBuilder(const Far::TileTable& table, std::int32_t level, std::uint64_t mostTexels)
-      : table_(table), level_(level), mostTexels_(mostTexels) {}
+  /// For level `level` behind the tiles' root level, with normals of the table's kind or none; an image has at most
+  /// `mostTexels`.
+  TileImageBuilder(const Far::TileTable& table, std::int32_t level, Far::TileNormalKind normals,
+                   std::uint64_t mostTexels)
+      : table_(table),
+        level_(level),
+        last_(normals == Far::TileNormalKind::exact ? level + 1 : level),
+        normals_(normals),
+        mostTexels_(mostTexels) {}
 
-  /// All of `tiles`, in as few images as hold them. tooLarge where a tile alone passes an image. Linear.
+  /// All of `tiles`, and fast normals of the points that no tile writes as tiles of their own, in as few images as hold
+  /// them. tooLarge where a tile alone passes an image. Linear.
   Result<std::vector<TileImage>> build(std::span<const std::int32_t> tiles);
 
+  /// The most points and normals that one of the tiles keeps.
+  std::uint32_t largestTile() const { return largest_; }
+
  private:
-  TileWord texels() const { return static_cast<TileWord>(image_.words.size() / kTexelWords); }
-  void fillTexel();
-  void finish(std::vector<TileImage>& images);
+  using StepWords = std::array<TileWord, 2 * kTexelWords>;
+  /// A point that sums normals: these stand at `first` in the list it belongs to.
+  struct NormalSum {
+    std::int32_t first = 0;
+    std::int32_t count = 0;
+    TileWord output = 0;
+  };
+
+  Result<void> addWhole(const std::function<void()>& add);
+  void finish();
+  void addTile(std::int32_t number);
   void numberPoints(const Far::Tile& tile);
   TileWord ownNumber(Far::TilePoint point) const { return numbers_[point / 2U]; }
-  void addTile(const Far::Tile& tile);
   void addImports(const Far::Tile& tile);
-  std::optional<std::array<TileWord, 2 * kTexelWords>> step(const Far::TileStep& step);
-  TileWord addRecords(const Far::TileStep& step, bool written, std::int32_t stage);
+  void closeTile(TileWord firstImport, std::int32_t imports);
+  void addStep(const Far::TileStep& step);
+  void pushStep(StepWords words);
+  TileWord addRecords(const Far::TileStep& step, bool written);
   TileWord addRows(const Far::TileStep& step, bool written);
   TileWord addStages(const Far::TileStep& step, std::int32_t stages);
   TileWord weights(std::int32_t first, std::int32_t count);
-  TileWord output(const Far::TileStep& step, std::int32_t stage, std::int32_t item) const;
+  Kernels::Outputs outputs(const Far::TileStep& step) const;
+
+  // Normals: tile_normal_image.cpp.
+  void addFastNormals(std::int32_t number);
+  void addImportedNormals(std::span<const std::int32_t> normals, TileWord place);
+  void addFaceNormals(const Far::TileFrames& frames, TileWord place);
+  void addCornerNormals(const Far::TileStep& step, const Far::TilePoint* faces);
+  void addSummedNormals(const Far::TileStep& step, const Far::TilePoint* faces);
+  void addSums(std::span<const NormalSum> sums, std::span<const TileWord> normals);
+  void addExactNormals(std::int32_t number);
+  TileWord tangentWeights(std::span<const float> weights, std::int32_t first, std::int32_t sides);
+  Result<void> addSharedNormals();
+  void addSharedNormals(std::span<const NormalSum> sums, std::int32_t end);
+
+  // The image.
+  TileWord texels() const { return static_cast<TileWord>(image_.words.size() / kTexelWords); }
+  void fillTexel();
+  void pushHalves(std::span<const TileWord> numbers);
 
   const Far::TileTable& table_;
   std::int32_t level_;
+  std::int32_t last_;  ///< the level wanted, or the one behind it where exact normals read that
+  Far::TileNormalKind normals_;
   std::uint64_t mostTexels_;
+  std::uint32_t largest_ = 1;
+  std::vector<TileImage> images_;
   TileImage image_;
   std::vector<TileWord> tiles_;
-  std::map<std::int32_t, TileWord> weights_;
-  std::vector<TileWord> numbers_;  ///< of the tile's points in the image
+  std::map<std::int32_t, TileWord> weights_;         ///< where the image has those of the table
+  std::map<std::int32_t, TileWord> tangentWeights_;  ///< and those of normals
+  std::vector<TileWord> steps_;                      ///< of the tile
+  std::vector<TileWord> numbers_;                    ///< of the tile's points in the image
+  TileWord firstNormal_ = 0;                         ///< the tile's own normals stand behind its points
 };
 
 }  // namespace honeycomb::Osd

@@ -4,120 +4,31 @@
 #include "far/base/index.h"
 #include "far/schemes/akleman.h"
 #include "far/tables/tile_table.h"
-#include "fixture.h"
 #include "osd/cpu_evaluator.h"
 #include "osd/vulkan/session.h"
-#include "runs.h"
 #include "tests/support/creased.h"
 #include "tests/support/must.h"
 #include "tests/support/random_tables.h"
 #include "tests/support/refined.h"
 #include "tests/support/scheme_list.h"
 #include "tests/support/shapes.h"
+#include "tile_fixture.h"
 
 namespace honeycomb::VulkanTests {
 namespace {
 
-namespace Meshes = honeycomb::Test;
-using Meshes::must;
-using Meshes::schemeCase;
-using Osd::BufferDescriptor;
-using Osd::TileScratch;
 using testing::HasSubstr;
 
-/// Control and refined points: packed, padded, behind an offset, fewer and more values than a position has.
-struct Layouts {
-  BufferDescriptor control;
-  BufferDescriptor refined;
-};
-const std::vector<Layouts> kPositions = {{{0, 3, 3}, {0, 3, 3}}, {{0, 3, 3}, {2, 3, 4}}, {{0, 4, 4}, {0, 4, 4}}};
-const std::vector<Layouts> kPrimvars = {{{1, 2, 3}, {3, 2, 2}},
-                                        {{0, 1, 1}, {0, 1, 2}},
-                                        {{2, 4, 5}, {1, 4, 4}},
-                                        {{0, 3, 3}, {1, 3, 3}},
-                                        {{0, 7, 7}, {4, 7, 8}}};
-
-/// How a refinement is cut into tiles, and what is wanted of them.
-struct TileRun {
-  std::int32_t scratchPoints = 500;
-  TileScratch scratch = TileScratch::buffer;
-  Layouts layouts = kPositions[0];
-  std::int32_t level = 0;
-  Far::TilePlaces places = Far::TilePlaces::faces;
-};
-
-Far::Refinement aklemanOf(const Meshes::PolyMesh& mesh, std::int32_t levels) {
-  return Meshes::refined(mesh, schemeCase(Meshes::NamedTension::paper).scheme, levels);
-}
-
-class TilesTest : public VulkanTest {
- protected:
-  // One evaluator, whose pipelines serve many meshes.
-  void SetUp() override {
-    VulkanTest::SetUp();
-    if (context) evaluator.emplace(makeEvaluator());
-  }
-  void TearDown() override {
-    evaluator.reset();
-    VulkanTest::TearDown();
-  }
-
-  static std::vector<float> controlOf(const Far::Refinement& refinement, const Layouts& layouts, std::uint32_t frame) {
-    return Meshes::randomNumbers(layouts.control.extent(refinement.level(0).pointCount()), frame);
-  }
-  static std::vector<float> chained(const Far::Refinement& refinement, std::int32_t level, const Layouts& layouts,
-                                    const std::vector<float>& control) {
-    std::vector<float> points(at(layouts.refined.extent(refinement.level(level).pointCount())));
-    Osd::SerialEvaluator serial;
-    must(serial.evaluate<float>(refinement, level, {control, layouts.control}, {points, layouts.refined}));
-    return points;
-  }
-
-  testing::AssertionResult agree(const Far::Refinement& refinement, const TileRun& run) {
-    const Far::TileTable tiles =
-        must(Far::buildTileTable(refinement, {.scratchPoints = run.scratchPoints, .places = run.places}));
-    const std::int32_t level = run.level == 0 ? refinement.levelCount() : run.level;
-    auto table = evaluator->uploadTiles(
-        refinement, tiles,
-        {.control = run.layouts.control, .refined = run.layouts.refined, .level = run.level, .scratch = run.scratch});
-    if (!table) return testing::AssertionFailure() << table.error().message;
-    Osd::VulkanSession session = must(Osd::VulkanSession::create(*evaluator, std::move(*table)));
-    for (const std::uint32_t frame : {1U, 2U}) {
-      const std::vector<float> control = controlOf(refinement, run.layouts, frame);
-      std::ranges::copy(control, session.control().begin());
-      if (const auto ran = session.run(); !ran) return testing::AssertionFailure() << ran.error().message;
-      if (auto same = sameBits(chained(refinement, level, run.layouts, control), session.refined()); !same) {
-        return same << ", frame " << frame << ", level " << level;
-      }
-    }
-    return testing::AssertionSuccess();
-  }
-
-  // A share of the schemes under sanitizers, which see nothing of what kernels do: from `first` on.
-  void agreeUnderEveryScheme(const Meshes::PolyMesh& mesh, TileScratch scratch, std::size_t first) {
-    const auto& schemes = Meshes::listedSchemes();
-    const std::size_t step = schemes.size() / Meshes::meshes(schemes.size());
-    for (std::size_t i = first % step; i < schemes.size(); i += step) {
-      SCOPED_TRACE(schemes[i].name);
-      const Far::Refinement refinement = Meshes::refinedBy(schemes[i], Meshes::toTopology(mesh), 3);
-      const TileRun run{.scratch = scratch, .layouts = kPositions[i % kPositions.size()]};
-      ASSERT_TRUE(agree(refinement, run));
-    }
-  }
-
-  std::optional<Osd::VulkanEvaluator> evaluator;
-};
-
 TEST_F(TilesTest, OfClosedMeshesUnderEveryScheme) {
-  agreeUnderEveryScheme(Meshes::torus(9, 7), TileScratch::buffer, 0);
+  agreeUnderEveryScheme(Meshes::torus(9, 7), {}, 0);
 }
 
 TEST_F(TilesTest, OfOpenMeshesUnderEverySchemeAndBoundaryRule) {
-  agreeUnderEveryScheme(Meshes::grid(7, 8), TileScratch::buffer, 1);
+  agreeUnderEveryScheme(Meshes::grid(7, 8), {}, 1);
 }
 
 TEST_F(TilesTest, InSharedMemoryUnderEverySchemeAndBoundaryRule) {
-  agreeUnderEveryScheme(Meshes::grid(7, 8), TileScratch::shared, 2);
+  agreeUnderEveryScheme(Meshes::grid(7, 8), {.scratch = TileScratch::shared}, 2);
 }
 
 TEST_F(TilesTest, OfPointsOfAnyLengthAndStride) {
