@@ -85,6 +85,18 @@ std::span<const EvaluatorEntry> evaluators() {
   return kEvaluators;
 }
 
+Far::TileNormalKind tileNormals(Normals normals) {
+  switch (normals) {
+    case Normals::none:
+      return Far::TileNormalKind::none;
+    case Normals::fast:
+      return Far::TileNormalKind::fast;
+    case Normals::exact:
+      break;
+  }
+  return Far::TileNormalKind::exact;
+}
+
 Result<void> withoutNormals(const Problem& problem) {
   if (problem.normals == Normals::none) return {};
   return fail(ErrorCode::unsupported, "has no normals of that kind");

@@ -11,6 +11,7 @@
 #include "far/base/result.h"
 #include "far/tables/refinement.h"
 #include "far/tables/stencil_table.h"
+#include "far/tables/tile_table.h"
 #include "osd/buffer_descriptor.h"
 #include "osd/cpu_evaluator.h"
 
@@ -115,6 +116,9 @@ Result<Prepared> prepareOpenSubdivCpu(const Problem& problem);
 Result<Prepared> prepareOpenSubdivOmp(const Problem& problem);
 Result<Prepared> prepareOpenSubdivCatmark(const Problem& problem);
 Result<Prepared> prepareEigen(const Problem& problem);
+
+/// What tiles are built with.
+Far::TileNormalKind tileNormals(Normals normals);
 
 /// Errors: unsupported, saying who has no normals, when the problem wants some.
 Result<void> withoutNormals(const Problem& problem);

@@ -13,23 +13,11 @@ namespace honeycomb::Bench {
 
 namespace {
 
-Far::TileNormalKind kindOf(Normals normals) {
-  switch (normals) {
-    case Normals::none:
-      return Far::TileNormalKind::none;
-    case Normals::fast:
-      return Far::TileNormalKind::fast;
-    case Normals::exact:
-      break;
-  }
-  return Far::TileNormalKind::exact;
-}
-
 Result<Prepared> prepareTiles(const Problem& problem, Osd::CpuEvaluator::Threads threads) {
   const Stopwatch stopwatch;
   Far::TileOptions options;
   options.scratchPoints = Osd::tilePoints();
-  options.normals = kindOf(problem.normals);
+  options.normals = tileNormals(problem.normals);
   options.places = Far::TilePlaces::fours;
   Result<Far::TileTable> built = Far::buildTileTable(problem.refinement, options);
   if (!built) return tl::unexpected(built.error());

@@ -4,7 +4,9 @@
 
 #include "bench/kit/evaluators.h"
 #include "far/base/stopwatch.h"
+#include "io/cache_folder.h"
 #include "osd/vulkan/context.h"
+#include "osd/vulkan/pipeline_cache_file.h"
 #include "osd/vulkan/session.h"
 
 namespace honeycomb::Bench {
@@ -49,10 +51,12 @@ Result<Osd::VulkanTable> uploadLevels(Osd::VulkanEvaluator& evaluator, const Pro
 }
 
 Result<Osd::VulkanTable> uploadTiles(Osd::VulkanEvaluator& evaluator, const Problem& problem) {
-  Result<Far::TileTable> tiles = Far::buildTileTable(problem.refinement, {.scratchPoints = evaluator.tilePoints()});
+  Result<Far::TileTable> tiles = Far::buildTileTable(
+      problem.refinement, {.scratchPoints = evaluator.tilePoints(), .normals = tileNormals(problem.normals)});
   if (!tiles) return tl::unexpected(tiles.error());
   Osd::VulkanTileOptions options;
   options.control = options.refined = problem.layout.desc;
+  if (problem.normals != Normals::none) options.normals = Osd::BufferDescriptor{};
   return evaluator.uploadTiles(problem.refinement, *tiles, options);
 }
 
@@ -66,7 +70,9 @@ Result<Osd::VulkanTable> uploadFlat(Osd::VulkanEvaluator& evaluator, const Probl
 Result<Prepared> prepare(const Problem& problem, Upload upload) {
   Result<Osd::VulkanContext> context = Osd::VulkanContext::create();
   if (!context) return tl::unexpected(context.error());
-  Result<Osd::VulkanEvaluator> evaluator = Osd::VulkanEvaluator::create(context->device());
+  const Osd::VulkanEvaluatorOptions options{.pipelineCache =
+                                                Osd::pipelineCacheIn(Io::cacheFolder(), context->deviceName())};
+  Result<Osd::VulkanEvaluator> evaluator = Osd::VulkanEvaluator::create(context->device(), options);
   if (!evaluator) return tl::unexpected(evaluator.error());
   const Stopwatch stopwatch;
   Result<Osd::VulkanTable> table = upload(*evaluator, problem);
@@ -99,7 +105,6 @@ Result<Prepared> prepareVulkan(const Problem& problem) {
 }
 
 Result<Prepared> prepareVulkanTiled(const Problem& problem) {
-  if (auto ok = withoutNormals(problem); !ok) return tl::unexpected(ok.error());
   return prepare(problem, uploadTiles);
 }
 
