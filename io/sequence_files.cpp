@@ -106,7 +106,7 @@ Result<void> checkGaps(const std::filesystem::path& pattern, const std::vector<s
   const bool more = missing > kMissingNamed;
   return fail(
       ErrorCode::invalidFile,
-      fmt::format("{}: {} missing: {}{}; supply them or number the files without gaps", pattern.string(), missing,
+      fmt::format("{}: {} {} missing: {}{}; supply them or number the files without gaps", pattern.string(), missing,
                   missing == 1 ? "frame of the sequence is" : "frames of the sequence are", list, more ? ", .." : ""));
 }
 

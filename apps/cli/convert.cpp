@@ -159,7 +159,7 @@ Result<void> convert(const ConvertCommand& command, const Session& session) {
 void addConvert(CLI::App& app, Command& command) {
   const auto options = std::make_shared<ConvertCommand>();
   CLI::App* subcommand = app.add_subcommand("convert", "Make another mesh from a mesh");
-  subcommand->add_option("IN", options->input, "Mesh (.obj)")->required();
+  subcommand->add_option("IN", options->input, "Mesh: " + meshInputNames())->required();
   subcommand->add_option("OUT", options->output, "Converted mesh (.obj)")->required();
   subcommand
       ->add_option("--to", options->to,

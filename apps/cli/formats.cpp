@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <system_error>
 
@@ -13,6 +12,7 @@
 #include "io/pc2.h"
 #include "io/ply.h"
 #include "io/scene/scene.h"
+#include "io/scene/scene_format.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -40,16 +40,10 @@ struct CacheFormat {
 };
 constexpr std::array kCacheFormats{CacheFormat{".pc2"}};
 
-std::string lowerExtension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 template <class Table>
 auto byExtension(const Table& table, std::string_view kind, const std::filesystem::path& path)
     -> Result<decltype(&table[0])> {
-  const std::string extension = lowerExtension(path);
+  const std::string extension = Io::lowerExtension(path);
   for (const auto& format : table)
     if (format.name == extension) return &format;
   return fail(ErrorCode::invalidOption,

@@ -4,6 +4,7 @@
 
 #include "apps/cli/commands.h"
 #include "apps/cli/control_mesh.h"
+#include "apps/cli/formats.h"
 #include "apps/cli/info_machine.h"
 #include "apps/cli/info_report.h"
 
@@ -52,7 +53,7 @@ void addInfo(CLI::App& app, Command& command) {
   const auto options = std::make_shared<InfoCommand>();
   CLI::App* subcommand = app.add_subcommand(
       "info", "A mesh's counts, defects and predicted sizes; without IN: this machine's devices and limits");
-  subcommand->add_option("IN", options->input, "Mesh (.obj)");
+  subcommand->add_option("IN", options->input, "Mesh: " + meshInputNames());
   subcommand->add_option("--levels", options->levels, "Levels to predict; of a chain, their sum")
       ->default_str(std::to_string(kDefaultLevels));
   options->scheme.addTo(*subcommand);

@@ -245,7 +245,7 @@ Result<void> refine(const RefineCommand& command, const Session& session) {
 void addRefine(CLI::App& app, Command& command) {
   const auto options = std::make_shared<RefineCommand>();
   CLI::App* subcommand = app.add_subcommand("refine", "Refine a mesh");
-  subcommand->add_option("IN", options->surface.input, "Control mesh (.obj)")->required();
+  subcommand->add_option("IN", options->surface.input, "Control mesh: " + meshInputNames())->required();
   subcommand->add_option("OUT", options->output, "Refined mesh (.obj)")->required();
   addSurfaceOptions(*subcommand, options->surface);
   subcommand->add_option("--precision", options->precision, "Arithmetic: " + names(kPrecisions))->capture_default_str();

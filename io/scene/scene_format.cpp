@@ -37,7 +37,6 @@ constexpr std::array kSceneFormats{SceneFormat{".gltf", {"{"}},
                                    SceneFormat{".ogex", {"Metric", "GeometryNode", "Node"}},
                                    SceneFormat{".3ds", {"MM"}},
                                    SceneFormat{".lwo", {"FORM"}},
-                                   SceneFormat{".off", {"OFF"}},
                                    SceneFormat{".stl", {}}};
 
 const SceneFormat* sceneFormat(const std::filesystem::path& path) {

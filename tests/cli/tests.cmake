@@ -11,6 +11,7 @@ target_compile_definitions(cli_test_support PRIVATE HONEYCOMB_PROGRAM="$<TARGET_
 honeycomb_test(cli_test
   SHARDS 4
   SOURCES
+    ${CMAKE_CURRENT_LIST_DIR}/animated_input_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bad_cache_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bad_mesh_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bad_option_test.cpp
@@ -25,6 +26,9 @@ honeycomb_test(cli_test
     ${CMAKE_CURRENT_LIST_DIR}/scheme_test.cpp
   LIBRARIES honeycomb::cli cli_test_support nlohmann_json::nlohmann_json)
 add_dependencies(cli_test honeycomb)
+if(TARGET assimp::assimp)
+  target_sources(cli_test PRIVATE ${CMAKE_CURRENT_LIST_DIR}/scene_input_test.cpp)
+endif()
 
 # A bake has frames in flight on all threads.
 honeycomb_test(cli_bake_test

@@ -22,3 +22,14 @@ honeycomb_test(io_pc2_reader_test
   LABELS threads
   SOURCES io/pc2_reader_test.cpp
   LIBRARIES honeycomb::io)
+
+if(TARGET assimp::assimp)
+  # Frames of one clip are asked for by many threads.
+  honeycomb_test(io_scene_tests
+    LABELS threads
+    SOURCES
+      io/scene/assimp_models_test.cpp
+      io/scene/scene_test.cpp
+      io/scene/weld_test.cpp
+    LIBRARIES honeycomb::io nlohmann_json::nlohmann_json)
+endif()
