@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include "apps/cli/devices.h"
+#include "apps/cli/frame_tiles.h"
 #include "apps/cli/surface_evaluator.h"
+#include "far/tables/tile_table.h"
 #include "io/cache_folder.h"
 #include "osd/vulkan/context.h"
 #include "osd/vulkan/frames.h"
@@ -64,24 +66,42 @@ class VulkanBackend : public Backend {
   Result<std::unique_ptr<SurfaceEvaluator>> evaluator(const Far::Refinement& refinement, Normals normals) override {
     Osd::VulkanTableOptions options;
     if (normals == Normals::exact) options.vertexLimits.normals = Osd::BufferDescriptor{};
-    return inFlight(refinement, options, 1);
+    const auto table = evaluator_.upload(refinement, options);
+    if (!table) return tl::unexpected(table.error());
+    return inFlight(refinement, *table, 1);
   }
   int framesAtOnce() const override { return kFramesInFlight; }
-  Result<FrameEvaluators> frameEvaluators(const Far::Refinement& refinement, std::int32_t, int atOnce) override {
-    auto made = inFlight(refinement, {}, atOnce);
+  Result<FrameEvaluators> frameEvaluators(const Far::Refinement& refinement, std::int32_t frames, int atOnce) override {
+    if (tilesPay(refinement, frames, atOnce)) {
+      const auto tiles = uploadTiles(refinement);
+      if (tiles) return streamOf(refinement, *tiles, atOnce, static_cast<std::int64_t>(tiles->byteCount()));
+      // Level after level works under none of the limits that tiles have.
+      if (tiles.error().code != ErrorCode::tooLarge) return tl::unexpected(tiles.error());
+    }
+    const auto levels = evaluator_.upload(refinement);
+    if (!levels) return tl::unexpected(levels.error());
+    return streamOf(refinement, *levels, atOnce, 0);
+  }
+
+ private:
+  Result<Osd::VulkanTable> uploadTiles(const Far::Refinement& refinement) {
+    const Result<Far::TileTable> tiles = Far::buildTileTable(refinement, {.scratchPoints = evaluator_.tilePoints()});
+    if (!tiles) return tl::unexpected(tiles.error());
+    return evaluator_.uploadTiles(refinement, *tiles);
+  }
+  Result<FrameEvaluators> streamOf(const Far::Refinement& refinement, const Osd::VulkanTable& table, int atOnce,
+                                   std::int64_t tileBytes) {
+    auto made = inFlight(refinement, table, atOnce);
     if (!made) return tl::unexpected(made.error());
     FrameEvaluators evaluators;
+    evaluators.tileBytes = tileBytes;
     evaluators.stream = made->get();
     evaluators.each.push_back(std::move(*made));
     return evaluators;
   }
-
- private:
   Result<std::unique_ptr<VulkanSurfaceEvaluator>> inFlight(const Far::Refinement& refinement,
-                                                           const Osd::VulkanTableOptions& options, int count) {
-    const auto table = evaluator_.upload(refinement, options);
-    if (!table) return tl::unexpected(table.error());
-    auto frames = Osd::VulkanFrames::create(evaluator_, *table, {.framesInFlight = static_cast<std::uint32_t>(count)});
+                                                           const Osd::VulkanTable& table, int count) {
+    auto frames = Osd::VulkanFrames::create(evaluator_, table, {.framesInFlight = static_cast<std::uint32_t>(count)});
     if (!frames) return tl::unexpected(frames.error());
     return std::make_unique<VulkanSurfaceEvaluator>(std::move(*frames), refinement.last().topology.vertexCount());
   }

@@ -43,9 +43,10 @@ class VulkanEvaluator {
 
   /// Brings tiles of a refinement to the device: one dispatch for all levels behind the tiles' root level, a workgroup
   /// a tile; levels up to the root and what is too large for a tile go before it. `refinement` is the one that the
-  /// tiles were built from. Errors: invalidOption (level, descriptors, tiles that there aren't), tooLarge (points at
-  /// the root past a page, a wanted level past kSourcePages pages, tiles past shared memory that was asked for: the
-  /// message says what helps; upload(refinement) has no such limits), outOfMemory, deviceLost.
+  /// tiles were built from. Normals, where options.normals asks for them, are found in the same dispatch. Errors:
+  /// invalidOption (level, descriptors, tiles or normals that there aren't), tooLarge (points at the root past a page,
+  /// the wanted level and its normals past kSourcePages pages, tiles past shared memory that was asked for: the message
+  /// says what helps; upload(refinement) has no such limits), outOfMemory, deviceLost.
   Result<VulkanTable> uploadTiles(const Far::Refinement& refinement, const Far::TileTable& tiles,
                                   const VulkanTileOptions& options = {});
 
@@ -67,7 +68,8 @@ class VulkanEvaluator {
   void record(VkCommandBuffer commands, const VulkanBinding& binding) const { binding.record(commands); }
 
   /// The points a tile may keep on this device (Far::TileOptions::scratchPoints). In shared memory, which `automatic`
-  /// takes unless the device is a CPU: three quarters of what a workgroup has, since tiles grow past what is asked for.
+  /// takes unless the device is a CPU: three quarters of what a workgroup has, since tiles grow past what is asked for
+  /// and fast normals stand beside the points; `automatic` takes the buffer for tiles that grow further.
   /// In a buffer: 16384, at which lavapipe measures as with 32768 and 15 % faster than with 8192. Points come out the
   /// same whatever it is.
   std::int32_t tilePoints(TileScratch scratch = TileScratch::automatic) const;

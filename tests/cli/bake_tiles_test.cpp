@@ -54,6 +54,24 @@ TEST_F(BakeTilesTest, FramesByTilesHaveTheBitsOfSerialOnes) {
   }
 }
 
+TEST_F(BakeTilesTest, FramesByTilesOnADeviceHaveTheBitsOfSerialOnes) {
+  const auto backend = Cli::openVulkan();
+  if (!backend) GTEST_SKIP() << backend.error().message;
+  const Far::Refinement refinement = akleman(3);
+  const auto serial = *(*Cli::openSerial())->evaluator(refinement, Cli::Normals::none);
+  const auto frames = (*backend)->frameEvaluators(refinement, kTileFrames, 2);
+  ASSERT_TRUE(frames) << frames.error().message;
+  EXPECT_GT(frames->tileBytes, 0);
+  EXPECT_EQ((*backend)->frameEvaluators(refinement, kTileFrames - 1, 2)->tileBytes, 0);
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(frames->stream->submit(bent<float>(i)));
+  for (int i = 0; i < 2; ++i) {
+    Cli::Surface<float> surface;
+    ASSERT_TRUE(frames->stream->collect(surface));
+    const std::vector<float> vertices(surface.vertices().begin(), surface.vertices().end());
+    EXPECT_TRUE(vertices == refine(*serial, bent<float>(i))) << "frame " << i;
+  }
+}
+
 TEST_F(BakeTilesTest, TilesAreBuiltWhereTheFramesAreManyAndThePointsToo) {
   const Far::Refinement large = akleman(3), small = akleman(1);
   EXPECT_GT(tileBytes(Cli::openTbb, large, kTileFrames), 0);

@@ -36,6 +36,7 @@ honeycomb_test(cli_bake_test
   SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/bake_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bake_tiles_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/../vulkan/lsan_suppressions.cpp
   LIBRARIES honeycomb::cli cli_test_support nlohmann_json::nlohmann_json)
 add_dependencies(cli_bake_test honeycomb)
 
