@@ -9,7 +9,7 @@
 
 #include "io/frame_checks.h"
 #include "io/mapped_file.h"
-#include "io/output_file.h"
+#include "io/written_frames.h"
 
 namespace honeycomb::Io {
 namespace {
@@ -117,60 +117,42 @@ Result<std::span<const float>> Pc2Reader::frame(std::int32_t f, std::vector<floa
   return frame(f);
 }
 
-struct Pc2Writer::State {
-  OutputFile file;
-  std::string name;
-  FrameInfo info;
-  std::int32_t written = 0;  // frames
-};
+namespace {
 
-Pc2Writer::Pc2Writer(std::unique_ptr<State> state) : state_(std::move(state)) {}
-Pc2Writer::Pc2Writer(Pc2Writer&&) noexcept = default;
-Pc2Writer& Pc2Writer::operator=(Pc2Writer&&) noexcept = default;
-Pc2Writer::~Pc2Writer() = default;
-
-Result<Pc2Writer> Pc2Writer::create(const std::filesystem::path& path, const FrameInfo& info) {
-  if (info.pointCount < 1 || info.frameCount < 1) {
-    return fail(ErrorCode::invalidOption,
-                fmt::format("{}: a PC2 cache of {} points and {} frames cannot be; give one or "
-                            "more of each",
-                            path.string(), info.pointCount, info.frameCount));
-  }
-  Result<OutputFile> file = OutputFile::create(path);
-  if (!file) return tl::unexpected<Error>(file.error());
+std::vector<std::byte> pc2Header(const FrameInfo& info) {
   Header header;
   kMagic.copy(header.magic.data(), kMagic.size());
   header.points = info.pointCount;
   header.start = info.start;
   header.rate = info.rate;
   header.frames = info.frameCount;
-  if (Result<void> written = file->write(std::as_bytes(std::span(&header, 1))); !written) {
-    return tl::unexpected<Error>(written.error());
-  }
-  return Pc2Writer(std::make_unique<State>(State{std::move(*file), path.string(), info}));
+  const auto bytes = std::as_bytes(std::span(&header, 1));
+  return {bytes.begin(), bytes.end()};
 }
 
-Result<void> Pc2Writer::write(std::span<const float> points) {
-  State& s = *state_;
-  if (points.size() != 3 * static_cast<std::size_t>(s.info.pointCount)) {
-    return fail(ErrorCode::invalidOption, fmt::format("{}: frame {} has {} coordinates; give 3 for each of {} points",
-                                                      s.name, s.written, points.size(), s.info.pointCount));
+class Pc2Layout : public FrameLayout {
+ public:
+  explicit Pc2Layout(const FrameInfo& info)
+      : FrameLayout(info, pc2Header(info), static_cast<std::int64_t>(Io::frameBytes(info))) {}
+  std::span<const std::byte> encode(std::int32_t /*f*/, std::span<const float> points,
+                                    std::vector<std::byte>& /*storage*/) const override {
+    return std::as_bytes(points);
   }
-  if (s.written == s.info.frameCount) {
-    return fail(ErrorCode::invalidOption, fmt::format("{}: has all its {} frames; create it with the number you write",
-                                                      s.name, s.info.frameCount));
-  }
-  if (Result<void> finite = checkFinite(s.name, s.written, points); !finite) return finite;
-  if (Result<void> written = s.file.write(std::as_bytes(points)); !written) return written;
-  ++s.written;
-  return {};
+};
+
+}  // namespace
+
+Result<std::shared_ptr<const FrameLayout>> pc2Layout(std::string_view name, const FrameInfo& info) {
+  if (Result<void> sound = checkCounts(name, "a PC2 cache", info); !sound) return tl::unexpected<Error>(sound.error());
+  return std::make_shared<const Pc2Layout>(info);
 }
 
-Result<void> Pc2Writer::finish() {
-  State& s = *state_;
-  if (s.written == s.info.frameCount) return s.file.commit();
-  return fail(ErrorCode::unwritable, fmt::format("{}: only {} of {} frames were written; write them all before finish",
-                                                 s.name, s.written, s.info.frameCount));
+Result<Pc2Writer> Pc2Writer::create(const std::filesystem::path& path, const FrameInfo& info) {
+  Result<std::shared_ptr<const FrameLayout>> layout = pc2Layout(path.string(), info);
+  if (!layout) return tl::unexpected<Error>(layout.error());
+  Result<StreamWriter> writer = StreamWriter::create(path, *layout);
+  if (!writer) return tl::unexpected<Error>(writer.error());
+  return Pc2Writer(std::move(*writer));
 }
 
 }  // namespace honeycomb::Io

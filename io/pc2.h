@@ -4,9 +4,12 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string_view>
 
 #include "far/base/result.h"
+#include "io/frame_layout.h"
 #include "io/frame_source.h"
+#include "io/stream_writer.h"
 
 namespace honeycomb::Io {
 
@@ -38,27 +41,17 @@ class Pc2Reader : public FrameSource {
   std::unique_ptr<Mapping> mapping_;
 };
 
-/// Streams a PC2 cache frame by frame. The file appears under its name only at finish(); a writer destroyed before that
-/// leaves nothing behind.
-class Pc2Writer {
- public:
-  /// Errors: unwritable; invalidOption for counts below one.
-  static Result<Pc2Writer> create(const std::filesystem::path& path, const FrameInfo& info);
-  Pc2Writer(Pc2Writer&&) noexcept;
-  Pc2Writer& operator=(Pc2Writer&&) noexcept;
-  ~Pc2Writer();
+/// A PC2 cache to be written; `name` stands for the file in messages. Errors: invalidOption for counts below one.
+Result<std::shared_ptr<const FrameLayout>> pc2Layout(std::string_view name, const FrameInfo& info);
 
-  /// Appends the next frame: 3 x pointCount coordinates. Errors: unwritable (disk full and the like); invalidOption for
-  /// another number of coordinates or a frame too many; invalidPositions (element: vertex) for NaN or infinity, which
-  /// no reader takes.
-  Result<void> write(std::span<const float> points);
-  /// Flushes and puts the file under its name. Errors: unwritable, also when fewer frames than promised were written.
-  Result<void> finish();
+/// Streams a PC2 cache frame by frame.
+class Pc2Writer : public StreamWriter {
+ public:
+  /// Errors: StreamWriter's and pc2Layout's.
+  static Result<Pc2Writer> create(const std::filesystem::path& path, const FrameInfo& info);
 
  private:
-  struct State;
-  explicit Pc2Writer(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit Pc2Writer(StreamWriter writer) : StreamWriter(std::move(writer)) {}
 };
 
 }  // namespace honeycomb::Io

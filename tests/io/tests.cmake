@@ -2,6 +2,7 @@ honeycomb_test(io_tests
   SOURCES
     io/mapped_file_test.cpp
     io/mdd_reader_test.cpp
+    io/mdd_writer_test.cpp
     io/mesh_sequence_test.cpp
     io/obj_corners_test.cpp
     io/obj_errors_test.cpp

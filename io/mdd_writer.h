@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "far/base/result.h"
+#include "io/frame_layout.h"
+#include "io/frame_source.h"
+
+namespace honeycomb::Io {
+
+/// A LightWave MDD point cache to be written, all of it big-endian:
+///     int32 frames | int32 points | float32 times of the frames ... | float32 xyz ...
+/// `info` counts time in seconds: frame k is at start + k x rate. `name` stands for the file in messages. Errors:
+/// invalidOption for counts below one, and for times that are not finite or don't ascend.
+Result<std::shared_ptr<const FrameLayout>> mddLayout(std::string_view name, const FrameInfo& info);
+
+}  // namespace honeycomb::Io
