@@ -16,6 +16,8 @@ class FrameWriter {
   /// class doesn't say otherwise. Errors: unwritable (disk full and the like); invalidOption for a frame there isn't,
   /// or another number of coordinates; invalidPositions (element: vertex) for NaN or infinity, which no reader takes.
   virtual Result<void> write(std::int32_t f, std::span<const float> points) = 0;
+  /// All frames there are for this writer are written: to the disk with them. Errors: unwritable.
+  virtual Result<void> close() = 0;
 
  protected:
   FrameWriter() = default;

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
+constexpr std::string_view kSuffix = ".part";
 constexpr int kMaxAttempts = 64;            // at a name nobody else uses
 constexpr std::size_t kMaxNameBytes = 200;  // of the target's name in the temporary name; 255 are allowed in all
 
@@ -28,7 +29,17 @@ fs::path temporaryName(const fs::path& target) {
   std::random_device random;
   const std::uint64_t unique = (std::uint64_t{random()} << 32) | random();
   const std::string name = target.filename().string().substr(0, kMaxNameBytes);
-  return target.parent_path() / fmt::format(".{}.{:016x}.part", name, unique);
+  return target.parent_path() / fmt::format(".{}.{:016x}{}", name, unique, kSuffix);
+}
+
+// The name that a temporary name was made of; empty where it is none.
+std::string_view targetName(std::string_view temporary) {
+  constexpr std::size_t kDigits = 16, kAround = 2 + kDigits + kSuffix.size();
+  if (temporary.size() <= kAround || !temporary.starts_with('.') || !temporary.ends_with(kSuffix)) return {};
+  const std::string_view digits = temporary.substr(temporary.size() - kSuffix.size() - kDigits, kDigits);
+  const std::size_t length = temporary.size() - kAround;
+  const bool random = digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+  return random && temporary[1 + length] == '.' ? temporary.substr(1, length) : std::string_view{};
 }
 
 }  // namespace
@@ -139,6 +150,14 @@ Result<void> OutputFile::commit() {
   if (!state_->file.valid()) return state_->failed(EBADF);
   if (Result<void> flushed = state_->flush(); !flushed) return flushed;
   return state_->putInPlace();
+}
+
+void removeAbandoned(const fs::path& folder, const std::set<fs::path>& names) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (names.contains(fs::path(targetName(name)))) fs::remove(entry.path(), ignored);
+  }
 }
 
 }  // namespace honeycomb::Io

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <span>
 #include <string_view>
 
@@ -36,5 +37,9 @@ class OutputFile {
   explicit OutputFile(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// Removes from `folder` what programs that were killed have left of OutputFiles for files of these names in it. None
+/// of them may be being written.
+void removeAbandoned(const std::filesystem::path& folder, const std::set<std::filesystem::path>& names);
 
 }  // namespace honeycomb::Io

@@ -27,6 +27,8 @@ class StreamWriter : public FrameWriter {
   Result<void> write(std::span<const float> points) { return write(written_, points); }
   /// Flushes and puts the file under its name. Errors: unwritable, also when fewer frames than promised were written.
   Result<void> finish();
+  /// finish().
+  Result<void> close() override { return finish(); }
 
  private:
   StreamWriter(OutputFile file, std::string name, std::shared_ptr<const FrameLayout> layout)

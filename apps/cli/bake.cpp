@@ -1,18 +1,21 @@
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <CLI/CLI.hpp>
 
+#include "apps/cli/bake_formats.h"
 #include "apps/cli/bake_frames.h"
+#include "apps/cli/bake_output.h"
 #include "apps/cli/central_points.h"
 #include "apps/cli/commands.h"
 #include "apps/cli/formats.h"
 #include "apps/cli/interrupt.h"
 #include "apps/cli/json_text.h"
 #include "apps/cli/primvars.h"
+#include "apps/cli/ranks.h"
 #include "apps/cli/surface_options.h"
-#include "far/base/index.h"
 #include "far/base/stopwatch.h"
-#include "io/pc2.h"
+#include "io/checksum.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -21,11 +24,12 @@ struct BakeCommand {
   SurfaceOptions surface;
   AnimationOptions animation;
   std::string output;
-  std::string mesh;  ///< refined mesh to write beside the cache; empty: none
+  std::string mesh;  ///< refined mesh to write beside the frames; empty: none
+  bool restart = false;
 };
 
 Result<void> checkFiles(const BakeCommand& command) {
-  if (const auto known = checkCacheFormat(command.output); !known) return known;
+  if (const auto known = checkBakeFormat(command.output); !known) return known;
   std::vector<std::filesystem::path> taken{command.surface.input};
   if (!command.animation.cache.empty()) taken.emplace_back(command.animation.cache);
   if (command.surface.scheme.given(kCentralFileOption))
@@ -37,90 +41,186 @@ Result<void> checkFiles(const BakeCommand& command) {
   return checkOutput(command.mesh, taken);
 }
 
-Result<void> writeMesh(const BakeCommand& command, const BakeFrames& job, const std::vector<float>& points) {
-  const Result<const MeshFormat*> format = meshFormat(command.mesh);
-  if (!format) return tl::unexpected(format.error());
-  const auto primvars =
-      refinePrimvars<float>(job.input, job.refinement, job.central.given, *job.evaluators.each.front());
-  if (!primvars) return tl::unexpected(inFile(job.input.file, primvars.error()));
-  const Far::Topology& topology = job.refinement.last().topology;
-  Io::ObjContent<float> content{points, {}, topology.faceOffsets(), topology.vert()};
-  primvars->addTo(content);
-  return (*format)->write(command.mesh, content);
+/// All that a rank needs to bake frames, and the first frame.
+struct Bake {
+  const BakeCommand& command;
+  SurfacePlan plan;
+  Animation animation;
+  CentralPoints central;
+  Far::Refinement refinement;
+  FrameEvaluators evaluators;
+  std::vector<float> firstPoints;
+  Primvars<float> primvars;
+  BakedMesh mesh;
+  double buildMs = 0;
+
+  BakeFrames frames() const { return {animation, plan.mesh.input, central, refinement, evaluators}; }
+};
+
+/// The first frame with its connectivity and, where a file has room for them, its colours and texture coordinates.
+Result<void> setMesh(Bake& bake) {
+  Result<std::vector<float>> points = bakeFirstFrame(bake.frames());
+  if (!points) return tl::unexpected(points.error());
+  bake.firstPoints = std::move(*points);
+  const Far::Topology& topology = bake.refinement.last().topology;
+  bake.mesh = bakedTimes(bake.animation.frames->info(), bake.animation.range.begin, bake.animation.range.count(),
+                         topology.vertexCount());
+  bake.mesh.content = {bake.firstPoints, {}, topology.faceOffsets(), topology.vert()};
+  if (bake.command.mesh.empty() && !storesMesh(bake.command.output)) return {};
+  const MeshInput& input = bake.plan.mesh.input;
+  auto primvars = refinePrimvars<float>(input, bake.refinement, bake.central.given, *bake.evaluators.each.front());
+  if (!primvars) return tl::unexpected(inFile(input.file, primvars.error()));
+  bake.primvars = std::move(*primvars);
+  bake.primvars.addTo(bake.mesh.content);
+  return {};
 }
 
-/// Both files or neither: the mesh is written first, and removed again where the cache can't be finished.
-Result<void> writeFiles(const BakeCommand& command, const BakeFrames& job, Io::Pc2Writer& writer,
-                        const Session& session) {
-  std::vector<float> firstFrame;
-  if (const auto baked = bakeFrames(job, session, writer, command.mesh.empty() ? nullptr : &firstFrame); !baked)
-    return baked;
-  if (!command.mesh.empty())
-    if (const auto written = writeMesh(command, job, firstFrame); !written) return written;
-  const Result<void> finished = writer.finish();
-  std::error_code ignored;
-  if (!finished && !command.mesh.empty()) std::filesystem::remove(command.mesh, ignored);
-  return finished;
-}
-
-Result<void> printSummary(const BakeCommand& command, const Session& session, const SurfacePlan& plan,
-                          const BakeFrames& job, std::int64_t tileBytes, double buildMs, double bakeMs) {
-  const Far::Topology& refined = job.refinement.last().topology;
-  if (!session.json) {
-    printNote(session, fmt::format("{}: {} of {} vertices at level {}", command.output,
-                                   counted(job.animation.range.count(), "frame"), grouped(refined.vertexCount()),
-                                   plan.mesh.chain.levels()));
-    return {};
-  }
-  const nlohmann::ordered_json json{{"input", command.surface.input},
-                                    {"cache", job.animation.file},
-                                    {"output", command.output},
-                                    {"scheme", command.surface.scheme.scheme},
-                                    {"steps", stepNames(plan.mesh.chain)},
-                                    {"levels", plan.mesh.chain.levels()},
-                                    {"backend", plan.backend->name()},
-                                    {"dropped_vertices", plan.mesh.input.dropped()},
-                                    {"frames", job.animation.range.count()},
-                                    {"frames_at_once", job.atOnce()},
-                                    {"vertices", refined.vertexCount()},
-                                    {"faces", refined.faceCount()},
-                                    {"table_bytes", job.refinement.byteCount()},
-                                    {"tile_bytes", tileBytes},
-                                    {"build_ms", buildMs},
-                                    {"bake_ms", bakeMs},
-                                    {"ms_per_frame", bakeMs / job.animation.range.count()}};
-  return printResult(jsonText(json));
-}
-
-Result<void> bake(const BakeCommand& command, const Session& session) {
-  if (const auto checked = checkFiles(command); !checked) return checked;
-  const Result<SurfacePlan> plan = planSurface(command.surface, sizeof(float));
+/// Frames that can't be written in any order are refined one at a time.
+Result<std::unique_ptr<Bake>> prepare(const BakeCommand& command, const Session& session) {
+  if (const auto checked = checkFiles(command); !checked) return tl::unexpected(checked.error());
+  Result<SurfacePlan> plan = planSurface(command.surface, sizeof(float));
   if (!plan) return tl::unexpected(plan.error());
   printNotes(session, plan->mesh.input);
-  const Result<Animation> animation = openAnimation(command.animation, plan->mesh.input);
+  Result<Animation> animation = openAnimation(command.animation, plan->mesh.input);
   if (!animation) return tl::unexpected(animation.error());
-  const FrameRange range = animation->range;
-  const Io::FrameInfo& frames = animation->frames->info();
-  const Result<CentralPoints> central = readCentralCache(command.surface.scheme, plan->mesh.input, frames.frameCount);
+  const std::int32_t frameCount = animation->frames->info().frameCount, baked = animation->range.count();
+  Result<CentralPoints> central = readCentralCache(command.surface.scheme, plan->mesh.input, frameCount);
   if (!central) return tl::unexpected(central.error());
 
   Stopwatch stopwatch;
-  const int atOnce = std::min(plan->backend->framesAtOnce(), range.count());
-  const Result<Far::Refinement> refinement = buildTables(*plan, {atOnce, sizeof(float), false, central->given});
+  const int atOnce = anyOrder(command.output) ? std::min(plan->backend->framesAtOnce(), baked) : 1;
+  Result<Far::Refinement> refinement = buildTables(*plan, {atOnce, sizeof(float), false, central->given});
   if (!refinement) return tl::unexpected(refinement.error());
-  const auto evaluators = plan->backend->frameEvaluators(*refinement, range.count(), atOnce);
+  std::unique_ptr<Bake> bake(new Bake{
+      command, std::move(*plan), std::move(*animation), std::move(*central), std::move(*refinement), {}, {}, {}, {}});
+  auto evaluators = bake->plan.backend->frameEvaluators(bake->refinement, baked, atOnce);
   if (!evaluators) return tl::unexpected(evaluators.error());
-  const double buildMs = stopwatch.lap();
+  bake->evaluators = std::move(*evaluators);
+  bake->buildMs = stopwatch.lap();
+  if (const auto set = setMesh(*bake); !set) return tl::unexpected(set.error());
+  return bake;
+}
 
-  const BakeFrames job{*animation, plan->mesh.input, *central, *refinement, *evaluators};
-  const Io::FrameInfo info{refinement->last().topology.vertexCount(), range.count(),
-                           frames.start + static_cast<float>(range.begin) * frames.rate, frames.rate,
-                           frames.framesPerSecond};
+/// What file it is, as far as can be told without reading all of it.
+void addFile(Io::Checksum& sum, const std::string& file) {
+  struct stat status {};
+  if (file.empty() || stat(file.c_str(), &status) != 0) return;
+  sum.addValue(status.st_size);
+  sum.addValue(status.st_mtim.tv_sec);
+  sum.addValue(status.st_mtim.tv_nsec);
+}
+
+template <class T>
+void addArray(Io::Checksum& sum, std::span<const T> values) {
+  sum.addValue(values.size());
+  sum.add(std::as_bytes(values));
+}
+
+/// Tells this bake from others. The first frame stands for the mesh, the scheme and all its options: every backend
+/// gives the same bits, so a bake may go on with another one.
+std::uint64_t whatWasAsked(const Bake& bake) {
+  Io::Checksum sum;
+  sum.add(HONEYCOMB_VERSION);
+  sum.add(std::filesystem::path(bake.command.output).extension().string());
+  addFile(sum, bake.animation.file);
+  addFile(sum, bake.central.file);
+  const Io::FrameInfo& info = bake.mesh.info;
+  sum.addValue(bake.mesh.firstFrame);
+  sum.addValue(info.frameCount);
+  for (const double time : {double{info.start}, double{info.rate}, bake.mesh.framesPerSecond}) sum.addValue(time);
+  const Io::ObjContent<float>& content = bake.mesh.content;
+  for (const auto& values : {content.positions, content.colours, content.texcoords}) addArray(sum, values);
+  for (const auto& values : {content.faceOffsets, content.faceVertices, content.cornerTexcoords}) addArray(sum, values);
+  return sum.value();
+}
+
+/// Both files or neither: the mesh is written first, and removed again where the frames can't be put under their name.
+Result<void> writeFiles(const Bake& bake, BakeOutput& output) {
+  const std::string& mesh = bake.command.mesh;
+  if (!mesh.empty()) {
+    const Result<const MeshFormat*> format = meshFormat(mesh);
+    if (!format) return tl::unexpected(format.error());
+    if (const auto written = (*format)->write(mesh, bake.mesh.content); !written) return written;
+  }
+  const Result<void> finished = output.finish();
+  std::error_code ignored;
+  if (!finished && !mesh.empty()) std::filesystem::remove(mesh, ignored);
+  return finished;
+}
+
+/// Frames on all ranks, then rank 0 puts the files under their names.
+Result<void> produce(const Bake& bake, BakeOutput& output, Ranks& ranks, const Session& session) {
+  const BakeOutcome outcome = bakeFrames(bake.frames(), session, output.missing(), ranks, output.writer());
+  Result<void> done = ranks.agree(outcome.done, outcome.frame);
+  if (done) done = output.close(ranks);
+  if (!done) return done;
+  if (ranks.rank() == 0) done = writeFiles(bake, output);
+  return ranks.agree(done, 0);
+}
+
+Result<void> printSummary(const Bake& bake, const BakeOutput& output, const Ranks& ranks, const Session& session,
+                          double bakeMs) {
+  const Far::Topology& refined = bake.refinement.last().topology;
+  const BakeCommand& command = bake.command;
+  const int levels = bake.plan.mesh.chain.levels();
+  const std::int32_t frames = bake.animation.range.count();
+  const auto written = static_cast<std::int32_t>(output.missing().size());
+  if (!session.json) {
+    printNote(session, fmt::format("{}: {} of {} vertices at level {}", command.output, counted(frames, "frame"),
+                                   grouped(refined.vertexCount()), levels));
+    return {};
+  }
+  const nlohmann::ordered_json json{{"input", command.surface.input},
+                                    {"cache", bake.animation.file},
+                                    {"output", command.output},
+                                    {"scheme", command.surface.scheme.scheme},
+                                    {"steps", stepNames(bake.plan.mesh.chain)},
+                                    {"levels", levels},
+                                    {"backend", bake.plan.backend->name()},
+                                    {"ranks", ranks.size()},
+                                    {"dropped_vertices", bake.plan.mesh.input.dropped()},
+                                    {"frames", frames},
+                                    {"frames_resumed", frames - written},
+                                    {"frames_at_once", bake.frames().atOnce()},
+                                    {"vertices", refined.vertexCount()},
+                                    {"faces", refined.faceCount()},
+                                    {"table_bytes", bake.refinement.byteCount()},
+                                    {"tile_bytes", bake.evaluators.tileBytes},
+                                    {"build_ms", bake.buildMs},
+                                    {"bake_ms", bakeMs},
+                                    {"ms_per_frame", bakeMs / std::max(written, 1)}};
+  return printResult(jsonText(json));
+}
+
+/// After an error, or a signal, which ends the program at once where other ranks might wait for it.
+Error giveUp(BakeOutput& output, Error error, const Ranks& ranks, const Session& session) {
+  if (ranks.rank() == 0) error = output.giveUp(std::move(error));
+  if (interruptSignal() == 0) return error;
+  if (ranks.size() > 1) {
+    printError(error);
+    dieOfInterrupt();
+  }
+  printNote(session, error.message);
+  return error;
+}
+
+Result<void> bake(const BakeCommand& command, const Session& session) {
+  const auto ranks = openRanks();
+  if (!ranks) return tl::unexpected(ranks.error());
+  const Result<std::unique_ptr<Bake>> prepared = prepare(command, session);
+  if (const auto sound = (*ranks)->agree(prepared.map([](const auto&) {}), 0); !sound) return sound;
+  const Bake& bake = **prepared;
+  const Result<BakeFormat> format = bakeFormat(command.output, bake.mesh);
+  if (!format) return tl::unexpected(format.error());
+
   const InterruptScope interruptible;
-  Result<Io::Pc2Writer> writer = Io::Pc2Writer::create(command.output, info);
-  if (!writer) return tl::unexpected(inFile(command.output, writer.error()));
-  if (const auto written = writeFiles(command, job, *writer, session); !written) return written;
-  return printSummary(command, session, *plan, job, evaluators->tileBytes, buildMs, stopwatch.lap());
+  Stopwatch stopwatch;
+  Result<BakeOutput> output =
+      BakeOutput::open(command.output, *format, {whatWasAsked(bake), command.restart}, **ranks, session);
+  if (!output) return tl::unexpected(inFile(command.output, output.error()));
+  if (const auto done = produce(bake, *output, **ranks, session); !done)
+    return tl::unexpected(giveUp(*output, done.error(), **ranks, session));
+  return printSummary(bake, *output, **ranks, session, stopwatch.lap());
 }
 
 }  // namespace
@@ -129,8 +229,10 @@ void addBake(CLI::App& app, Command& command) {
   const auto options = std::make_shared<BakeCommand>();
   CLI::App* subcommand = app.add_subcommand("bake", "Refine every frame of an animated mesh");
   subcommand->add_option("IN", options->surface.input, "Control mesh (.obj)")->required();
-  subcommand->add_option("OUT", options->output, "Refined point cache (.pc2)")->required();
+  subcommand->add_option("OUT", options->output, "Refined frames (.pc2, .mdd, .glb, or a mesh a frame: name_%04d.obj)")
+      ->required();
   subcommand->add_option("--mesh", options->mesh, "Also write the refined mesh of the first frame baked (.obj)");
+  subcommand->add_flag("--restart", options->restart, "Bake all frames, also those that an earlier run has left");
   addAnimationOptions(*subcommand, options->animation);
   addSurfaceOptions(*subcommand, options->surface);
   addSessionOptions(*subcommand, command.session);

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <atomic>
+#include <deque>
+#include <mutex>
+#include <optional>
 
 #include "apps/cli/interrupt.h"
 #include "apps/cli/progress.h"
@@ -19,12 +22,11 @@ struct ControlStorage {
   std::vector<float> control;  // where it isn't the frame as it stands
 };
 
-/// What one frame of the window works with; nothing is allocated once it is warm.
+/// What one frame after another works with; nothing is allocated once it is warm.
 struct Slot {
   SurfaceEvaluator& evaluator;
   ControlStorage control;
   Surface<float> surface;
-  Result<void> result;
 };
 
 /// The control points of a frame: its vertices, then central control vertices where they are given.
@@ -60,45 +62,67 @@ Result<void> bakeFrame(const BakeFrames& job, std::int32_t frame, Slot& slot) {
   return {};
 }
 
-/// Refines the frames first .. first+count-1, each in its slot.
-void bakeWindow(const BakeFrames& job, std::int32_t first, std::int32_t count, std::vector<Slot>& slots,
-                Progress& progress) {
-  const auto bakeSlot = [&](std::int64_t i) {
-    slots[at(i)].result = bakeFrame(job, first + static_cast<std::int32_t>(i), slots[at(i)]);
-    progress.advance(1);
-  };
-  // A lone frame keeps its evaluator's own threads: no task is put around it.
-  if (count == 1) return bakeSlot(0);
-  Parallel::forEach(0, count, bakeSlot, 1);
-}
+/// Where frames come from, where they go, and the first error.
+class Run {
+ public:
+  Run(const BakeFrames& job, const Session& session, const std::vector<std::int32_t>& frames, Ranks& ranks,
+      Io::FrameWriter& writer)
+      : job_(job),
+        frames_(frames),
+        ranks_(ranks),
+        writer_(writer),
+        progress_(session, "baking", "frames", static_cast<double>(frames.size())) {}
 
-/// Where refined frames go.
-struct Sink {
-  const BakeFrames& job;
-  Io::Pc2Writer& writer;
-  std::vector<float>* firstFrame;
-
-  Result<void> write(std::int32_t frame, const Surface<float>& surface) const {
-    if (const auto written = writer.write(surface.vertices()); !written) return written;
-    if (firstFrame && frame == job.animation.range.begin)
-      firstFrame->assign(surface.vertices().begin(), surface.vertices().end());
-    return {};
+  const BakeFrames& job() const { return job_; }
+  /// The frame's number in the animation.
+  std::int32_t source(std::int32_t frame) const { return job_.animation.range.begin + frame; }
+  /// A frame to bake; nothing once there are no more or one had an error. They are handed out in order, so that all
+  /// before one that is bad are on their way, and the first bad one is found.
+  std::optional<std::int32_t> next() {
+    const std::int64_t i = failed_.load() ? kStopped : ranks_.next();
+    if (i >= std::ssize(frames_)) return std::nullopt;
+    return frames_[at(i)];
   }
+  void write(std::int32_t frame, const Surface<float>& surface) {
+    if (const auto written = writer_.write(frame, surface.vertices()); !written)
+      return keepError(frame, written.error());
+    progress_.advance(1);
+  }
+  void keepError(std::int32_t frame, const Error& error) {
+    failed_.store(true);
+    ranks_.stop();
+    const std::lock_guard lock(mutex_);
+    if (outcome_.done || frame < outcome_.frame) outcome_ = {tl::unexpected(error), frame};
+  }
+  bool failed() const { return failed_.load(); }
+  const BakeOutcome& outcome() const { return outcome_; }
+
+ private:
+  const BakeFrames& job_;
+  const std::vector<std::int32_t>& frames_;
+  Ranks& ranks_;
+  Io::FrameWriter& writer_;
+  Progress progress_;
+  std::atomic<bool> failed_{false};
+  std::mutex mutex_;
+  BakeOutcome outcome_;
 };
 
-Result<void> bakeTasks(const BakeFrames& job, const Sink& sink, Progress& progress) {
-  std::vector<Slot> slots;
-  for (const auto& evaluator : job.evaluators.each) slots.push_back({*evaluator, {}, {}, {}});
-  for (std::int32_t first = job.animation.range.begin; first < job.animation.range.end; first += job.atOnce()) {
-    const std::int32_t count = std::min(job.atOnce(), job.animation.range.end - first);
-    bakeWindow(job, first, count, slots, progress);
-    for (std::int32_t i = 0; i < count; ++i) {
-      const Slot& slot = slots[at(i)];
-      if (!slot.result) return slot.result;
-      if (const auto written = sink.write(first + i, slot.surface); !written) return written;
-    }
+void bakeOneAfterAnother(Run& run, SurfaceEvaluator& evaluator) {
+  Slot slot{evaluator, {}, {}};
+  while (const std::optional<std::int32_t> frame = run.next()) {
+    if (const auto done = bakeFrame(run.job(), run.source(*frame), slot); !done)
+      return run.keepError(*frame, done.error());
+    run.write(*frame, slot.surface);
   }
-  return {};
+}
+
+void bakeTasks(Run& run) {
+  const auto& evaluators = run.job().evaluators.each;
+  // A lone evaluator keeps its own threads: no task is put around it.
+  if (evaluators.size() == 1) return bakeOneAfterAnother(run, *evaluators.front());
+  Parallel::forEach(
+      0, std::ssize(evaluators), [&](std::int64_t i) { bakeOneAfterAnother(run, *evaluators[at(i)]); }, 1);
 }
 
 Result<void> submitFrame(const BakeFrames& job, std::int32_t frame, ControlStorage& storage) {
@@ -117,33 +141,48 @@ Result<void> collectFrame(const BakeFrames& job, std::int32_t frame, Surface<flo
   return {};
 }
 
-/// The frame `depth` before is collected and written while those between are refined. After a frame that can't be sent
-/// off, those before it come first, since one of them may have an error too.
-Result<void> bakeStream(const BakeFrames& job, const Sink& sink, Progress& progress) {
+/// The oldest frame is collected and written while those behind it are refined. After a frame that can't be sent off,
+/// those before it come first, since one of them may have an error too.
+void bakeStream(Run& run) {
   ControlStorage control;
   Surface<float> surface;
-  Result<void> sent;
-  std::int32_t end = job.animation.range.end;
-  for (std::int32_t frame = job.animation.range.begin; frame < end + job.atOnce(); ++frame) {
-    const std::int32_t oldest = frame - job.atOnce();
-    if (oldest >= job.animation.range.begin) {
-      if (const auto collected = collectFrame(job, oldest, surface); !collected) return collected;
-      if (const auto written = sink.write(oldest, surface); !written) return written;
-      progress.advance(1);
+  std::deque<std::int32_t> underWay;
+  std::optional<std::int32_t> frame = run.next();
+  while (frame || !underWay.empty()) {
+    if (!frame || std::ssize(underWay) == run.job().atOnce()) {
+      const std::int32_t oldest = underWay.front();
+      underWay.pop_front();
+      const auto collected = collectFrame(run.job(), run.source(oldest), surface);
+      if (!collected) return run.keepError(oldest, collected.error());
+      run.write(oldest, surface);
+      if (run.failed()) frame.reset();
     }
-    if (frame < end) sent = submitFrame(job, frame, control);
-    if (!sent) end = std::min(end, frame);
+    if (!frame) continue;
+    const auto sent = submitFrame(run.job(), run.source(*frame), control);
+    if (sent) underWay.push_back(*frame);
+    if (!sent) run.keepError(*frame, sent.error());
+    frame = run.next();
   }
-  return sent;
 }
 
 }  // namespace
 
-Result<void> bakeFrames(const BakeFrames& job, const Session& session, Io::Pc2Writer& writer,
-                        std::vector<float>* firstFrame) {
-  Progress progress(session, "baking", "frames", job.animation.range.count());
-  const Sink sink{job, writer, firstFrame};
-  return job.evaluators.stream ? bakeStream(job, sink, progress) : bakeTasks(job, sink, progress);
+Result<std::vector<float>> bakeFirstFrame(const BakeFrames& job) {
+  Slot slot{*job.evaluators.each.front(), {}, {}};
+  if (const auto done = bakeFrame(job, job.animation.range.begin, slot); !done) return tl::unexpected(done.error());
+  slot.surface.points.resize(slot.surface.vertices().size());
+  return std::move(slot.surface.points);
+}
+
+BakeOutcome bakeFrames(const BakeFrames& job, const Session& session, const std::vector<std::int32_t>& frames,
+                       Ranks& ranks, Io::FrameWriter& writer) {
+  Run run(job, session, frames, ranks, writer);
+  if (job.evaluators.stream) {
+    bakeStream(run);
+  } else {
+    bakeTasks(run);
+  }
+  return run.outcome();
 }
 
 }  // namespace honeycomb::Cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -9,10 +10,11 @@
 #include "apps/cli/central_points.h"
 #include "apps/cli/console.h"
 #include "apps/cli/mesh_input.h"
+#include "apps/cli/ranks.h"
 #include "apps/cli/surface_evaluator.h"
 #include "far/base/result.h"
 #include "far/tables/refinement.h"
-#include "io/pc2.h"
+#include "io/frame_writer.h"
 
 namespace honeycomb::Cli {
 
@@ -29,10 +31,19 @@ struct BakeFrames {
   }
 };
 
-/// Reads, refines and writes the frames in order: through the evaluators' stream, or as many of them in memory as there
-/// are evaluators, each a task of its own. Keeps the points of the first one in `firstFrame` unless that is null.
-/// Errors: the first frame's that has one.
-Result<void> bakeFrames(const BakeFrames& job, const Session& session, Io::Pc2Writer& writer,
-                        std::vector<float>* firstFrame);
+/// The refined points of the first frame of the range. Errors: whatever is wrong with it.
+Result<std::vector<float>> bakeFirstFrame(const BakeFrames& job);
+
+/// How far a rank came.
+struct BakeOutcome {
+  Result<void> done;       ///< the error of the first of its frames that has one
+  std::int64_t frame = 0;  ///< that frame
+};
+
+/// Reads, refines and writes those of `frames` (counted from the first of the range) that `ranks` hands out to this
+/// process: through the evaluators' stream, or as many of them at a time as there are evaluators, each a task of its
+/// own.
+BakeOutcome bakeFrames(const BakeFrames& job, const Session& session, const std::vector<std::int32_t>& frames,
+                       Ranks& ranks, Io::FrameWriter& writer);
 
 }  // namespace honeycomb::Cli

@@ -59,6 +59,12 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
 
 }  // namespace
 
+std::string lowerExtension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
 Result<const MeshFormat*> meshFormat(const std::filesystem::path& path) {
   return byExtension(kMeshFormats, "mesh", path);
 }

@@ -51,6 +51,9 @@ struct CacheInput {
 /// The kind of a point cache to be read, by its extension. Errors: invalidOption, listing them.
 Result<const CacheInput*> cacheInput(const std::filesystem::path& path);
 
+/// The extension with its dot, in lower case.
+std::string lowerExtension(const std::filesystem::path& path);
+
 /// Is the path that of a point cache to be written? Errors: invalidOption, listing the cache formats.
 Result<void> checkCacheFormat(const std::filesystem::path& path);
 

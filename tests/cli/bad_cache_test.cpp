@@ -14,12 +14,7 @@ class BadCacheTest : public Workplace {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }
-  std::string cubeCache(int frames) const {
-    std::vector<float> numbers;
-    for (int f = 0; f < frames; ++f)
-      for (const float number : bentFrame(cubeObj(), f)) numbers.push_back(number);
-    return cache("in.pc2", 8, frames, numbers);
-  }
+  std::string cubeCache(int frames) const { return bentCache("in.pc2", cubeObj(), frames); }
 };
 
 TEST_F(BadCacheTest, TruncatedIsRefusedNamingTheFrame) {
@@ -65,7 +60,10 @@ TEST_F(BadCacheTest, NoCacheAndUnknownFormatsAreRefused) {
   EXPECT_REFUSED((std::vector<std::string>{"bake", in, path("out.pc2")}), HasSubstr("--cache"));
   EXPECT_REFUSED((std::vector<std::string>{"bake", in, path("out.pc2"), "--cache", file("in.abc", "x")}),
                  HasSubstr(".pc2, .mdd"));
-  EXPECT_REFUSED((std::vector<std::string>{"bake", in, path("out.mdd"), "--cache", cubeCache(1)}), HasSubstr(".pc2"));
+  EXPECT_REFUSED((std::vector<std::string>{"bake", in, path("out.abc"), "--cache", cubeCache(1)}), HasSubstr(".pc2"),
+                 HasSubstr(".mdd"), HasSubstr("frame_%04d.obj"));
+  EXPECT_REFUSED((std::vector<std::string>{"bake", in, path("out_%d.xyz"), "--cache", cubeCache(1)}),
+                 HasSubstr(".obj"));
 }
 
 TEST_F(BadCacheTest, CentralControlVerticesThatDontFitTheAnimationAreRefused) {

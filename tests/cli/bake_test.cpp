@@ -10,12 +10,7 @@ namespace {
 
 class BakeTest : public Workplace {
  protected:
-  std::string cacheOf(const std::string& obj, int frames, int points) const {
-    std::vector<float> numbers;
-    for (int f = 0; f < frames; ++f)
-      for (const float number : bentFrame(obj, f)) numbers.push_back(number);
-    return cache("in.pc2", points, frames, numbers);
-  }
+  std::string cacheOf(const std::string& obj, int frames) const { return bentCache("in.pc2", obj, frames); }
   void expectBaked(const std::vector<std::string>& arguments) const {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
@@ -42,7 +37,7 @@ class BakeTest : public Workplace {
 
 TEST_F(BakeTest, EachFrameEqualsThatFrameRefinedAlone) {
   const std::string obj = torusObj(10);
-  const std::string in = file("torus.obj", obj), frames = cacheOf(obj, 7, 100);
+  const std::string in = file("torus.obj", obj), frames = cacheOf(obj, 7);
   for (const std::string backend : {"serial", "simd", "tbb"}) {
     expectBaked(
         {"bake", in, path("out.pc2"), "--cache", frames, "--levels", "3", "--backend", backend, "--threads", "3"});
@@ -53,13 +48,13 @@ TEST_F(BakeTest, EachFrameEqualsThatFrameRefinedAlone) {
 
 TEST_F(BakeTest, BorderedMeshesBakeAlike) {
   const std::string obj = gridObj(6);
-  expectBaked({"bake", file("grid.obj", obj), path("out.pc2"), "--cache", cacheOf(obj, 3, 49), "--levels", "3"});
+  expectBaked({"bake", file("grid.obj", obj), path("out.pc2"), "--cache", cacheOf(obj, 3), "--levels", "3"});
   for (int f = 0; f < 3; ++f) EXPECT_TRUE(bakedFrame("out.pc2", f) == refinedAlone(obj, bentFrame(obj, f), "3"));
 }
 
 TEST_F(BakeTest, EverySchemesFramesEqualThatFrameRefinedAlone) {
   const std::string obj = gridObj(4);
-  const std::string in = file("grid.obj", obj), frames = cacheOf(obj, 2, 25);
+  const std::string in = file("grid.obj", obj), frames = cacheOf(obj, 2);
   const std::vector<std::vector<std::string>> schemes{{"--scheme", "zhang-wang", "--ccv-offset", "0.2"},
                                                       {"--scheme", "half-box"},
                                                       {"--scheme", "zhang-wang:1,half-box:1"}};
@@ -78,7 +73,7 @@ TEST_F(BakeTest, CentralControlVerticesMoveWithACacheOfTheirOwn) {
   const std::vector<float> first = bentFrame(cubeObj(), 1), second = bentFrame(cubeObj(), 3);
   std::vector<float> numbers(first.begin(), first.begin() + 18);
   numbers.insert(numbers.end(), second.begin(), second.begin() + 18);
-  const std::string in = file("cube.obj", cubeObj()), frames = cacheOf(cubeObj(), 2, 8);
+  const std::string in = file("cube.obj", cubeObj()), frames = cacheOf(cubeObj(), 2);
   expectBaked({"bake", in, path("out.pc2"), "--cache", frames, "--scheme", "zhang-wang", "--ccv",
                cache("ccv.pc2", 6, 2, numbers)});
   for (int f = 0; f < 2; ++f) {
@@ -90,7 +85,7 @@ TEST_F(BakeTest, CentralControlVerticesMoveWithACacheOfTheirOwn) {
 }
 
 TEST_F(BakeTest, HeaderKeepsTheTimesOfTheFramesBaked) {
-  const std::string in = file("cube.obj", cubeObj()), frames = cacheOf(cubeObj(), 9, 8);
+  const std::string in = file("cube.obj", cubeObj()), frames = cacheOf(cubeObj(), 9);
   expectBaked({"bake", in, path("all.pc2"), "--cache", frames});
   expectBaked({"bake", in, path("some.pc2"), "--cache", frames, "--frames", "3:7"});
   const auto all = Io::Pc2Reader::open(path("all.pc2")), some = Io::Pc2Reader::open(path("some.pc2"));
@@ -105,7 +100,7 @@ TEST_F(BakeTest, HeaderKeepsTheTimesOfTheFramesBaked) {
 }
 
 TEST_F(BakeTest, OpenRangesReachToTheEnds) {
-  const std::string in = file("cube.obj", cubeObj()), frames = cacheOf(cubeObj(), 5, 8);
+  const std::string in = file("cube.obj", cubeObj()), frames = cacheOf(cubeObj(), 5);
   for (const auto& [range, count] : {std::pair<std::string, int>{"2:", 3}, {":2", 2}, {":", 5}}) {
     expectBaked({"bake", in, path("out.pc2"), "--cache", frames, "--frames", range});
     EXPECT_EQ(Io::Pc2Reader::open(path("out.pc2"))->info().frameCount, count) << range;
@@ -115,7 +110,7 @@ TEST_F(BakeTest, OpenRangesReachToTheEnds) {
 TEST_F(BakeTest, MeshIsTheFirstFrameWithTheConnectivity) {
   const std::string obj = torusObj(8);
   expectBaked(
-      {"bake", file("torus.obj", obj), path("out.pc2"), "--cache", cacheOf(obj, 3, 64), "--mesh", path("mesh.obj")});
+      {"bake", file("torus.obj", obj), path("out.pc2"), "--cache", cacheOf(obj, 3), "--mesh", path("mesh.obj")});
   refinedAlone(obj, bentFrame(obj, 0), "2");
   EXPECT_EQ(read("mesh.obj"), read("frame_out.obj"));
 }
@@ -125,14 +120,14 @@ TEST_F(BakeTest, CacheIsRemappedWhereVerticesAreDropped) {
     std::string text = cubeObj().substr(0, cubeObj().find('f')) + "v 7 7 7\n";
     return text + "f 2 5 4 3\nf 6 7 8 9\nf 2 3 7 6\nf 3 4 8 7\nf 4 5 9 8\nf 5 2 6 9\n";
   }();
-  expectBaked({"bake", file("loose.obj", loose), path("out.pc2"), "--cache", cacheOf(loose, 4, 10), "--drop-isolated"});
+  expectBaked({"bake", file("loose.obj", loose), path("out.pc2"), "--cache", cacheOf(loose, 4), "--drop-isolated"});
   for (int f = 0; f < 4; ++f)
     EXPECT_TRUE(bakedFrame("out.pc2", f) == refinedAlone(cubeObj(), bentFrame(cubeObj(), f), "2")) << f;
 }
 
 TEST_F(BakeTest, JsonSummaryCountsFrames) {
   const std::string in = file("cube.obj", cubeObj());
-  const Outcome outcome = run({"bake", in, path("out.pc2"), "--cache", cacheOf(cubeObj(), 5, 8), "--json"});
+  const Outcome outcome = run({"bake", in, path("out.pc2"), "--cache", cacheOf(cubeObj(), 5), "--json"});
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json.at("frames"), 5);
   EXPECT_EQ(json.at("vertices"), 72);

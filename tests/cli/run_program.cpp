@@ -64,8 +64,10 @@ pid_t start(const std::vector<std::string>& arguments) {
 
 Outcome wait(pid_t child) {
   int status = 0;
-  waitpid(child, &status, 0);
+  rusage used{};
+  wait4(child, &status, 0, &used);
   Outcome outcome;
+  outcome.mostMemory = std::int64_t{used.ru_maxrss} * 1024;
   if (WIFEXITED(status)) outcome.exitCode = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
   return outcome;

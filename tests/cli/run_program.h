@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,8 +13,9 @@ namespace honeycomb::Test {
 struct Outcome {
   int exitCode = -1;  ///< -1: it died of a signal
   int signal = 0;
-  std::string out;  ///< standard output
-  std::string err;  ///< standard error
+  std::string out;              ///< standard output
+  std::string err;              ///< standard error
+  std::int64_t mostMemory = 0;  ///< bytes that were in memory at once
 };
 
 /// How to run it.

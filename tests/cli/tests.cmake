@@ -33,7 +33,9 @@ endif()
 # A bake has frames in flight on all threads.
 honeycomb_test(cli_bake_test
   LABELS threads
+  SHARDS 2
   SOURCES
+    ${CMAKE_CURRENT_LIST_DIR}/bake_resume_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bake_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bake_tiles_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/../vulkan/lsan_suppressions.cpp

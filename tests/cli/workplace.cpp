@@ -50,6 +50,15 @@ std::set<std::string> Workplace::listing() const {
   return names;
 }
 
+std::string Workplace::bentCache(const std::string& name, const std::string& obj, std::int32_t frames) const {
+  std::vector<float> numbers;
+  for (std::int32_t f = 0; f < frames; ++f) {
+    const std::vector<float> frame = bentFrame(obj, f);
+    numbers.insert(numbers.end(), frame.begin(), frame.end());
+  }
+  return cache(name, static_cast<std::int32_t>(numbers.size()) / (3 * frames), frames, numbers);
+}
+
 std::string cubeObj() {
   return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
          "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";

@@ -26,6 +26,8 @@ class Workplace : public testing::Test {
                     const std::vector<float>& numbers) const;
   std::string read(const std::string& name) const;
   std::set<std::string> listing() const;
+  /// A cache of the mesh bent differently in each frame.
+  std::string bentCache(const std::string& name, const std::string& obj, std::int32_t frames) const;
 
  private:
   std::filesystem::path folder_;

@@ -1,5 +1,6 @@
 honeycomb_test(io_tests
   SOURCES
+    io/frame_names_test.cpp
     io/mapped_file_test.cpp
     io/mdd_reader_test.cpp
     io/mdd_writer_test.cpp
@@ -17,6 +18,12 @@ honeycomb_test(io_tests
     io/png_test.cpp
     io/text_cursor_test.cpp
   LIBRARIES honeycomb::io PNG::PNG)
+
+# Frames are written by threads.
+honeycomb_test(io_unfinished_frames_test
+  LABELS threads
+  SOURCES io/unfinished_frames_test.cpp
+  LIBRARIES honeycomb::io)
 
 # One reader is shared by threads.
 honeycomb_test(io_pc2_reader_test

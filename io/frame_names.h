@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace honeycomb::Io {
+
+/// The names of a sequence of files, one a frame: "out_%04d.obj" is out_0000.obj, out_0001.obj, ...
+class FrameNames {
+ public:
+  /// A path whose file name has one "%d", "%4d" or "%04d" (any width up to 18; both pad with zeros): nothing for any
+  /// other, so that a name with a percent sign is a name.
+  static std::optional<FrameNames> parse(const std::filesystem::path& path);
+
+  std::filesystem::path operator()(std::int64_t frame) const;
+
+ private:
+  FrameNames(std::filesystem::path folder, std::string before, std::string after, int width)
+      : folder_(std::move(folder)), before_(std::move(before)), after_(std::move(after)), width_(width) {}
+
+  std::filesystem::path folder_;
+  std::string before_, after_;
+  int width_ = 0;
+};
+
+}  // namespace honeycomb::Io
