@@ -6,6 +6,7 @@
 #include "apps/cli/bake_formats.h"
 #include "apps/cli/bake_frames.h"
 #include "apps/cli/bake_output.h"
+#include "apps/cli/catching.h"
 #include "apps/cli/central_points.h"
 #include "apps/cli/commands.h"
 #include "apps/cli/formats.h"
@@ -150,11 +151,17 @@ Result<void> writeFiles(const Bake& bake, BakeOutput& output) {
 
 /// Frames on all ranks, then rank 0 puts the files under their names.
 Result<void> produce(const Bake& bake, BakeOutput& output, Ranks& ranks, const Session& session) {
-  const BakeOutcome outcome = bakeFrames(bake.frames(), session, output.missing(), ranks, output.writer());
+  BakeOutcome outcome;
+  const auto baked = [&]() -> Result<void> {
+    outcome = bakeFrames(bake.frames(), session, output.missing(), ranks, output.writer());
+    return outcome.done;
+  };
+  // Whatever happens to a rank, the others are told.
+  outcome.done = catching(baked);
   Result<void> done = ranks.agree(outcome.done, outcome.frame);
   if (done) done = output.close(ranks);
   if (!done) return done;
-  if (ranks.rank() == 0) done = writeFiles(bake, output);
+  if (ranks.rank() == 0) done = catching([&] { return writeFiles(bake, output); });
   return ranks.agree(done, 0);
 }
 
@@ -194,21 +201,22 @@ Result<void> printSummary(const Bake& bake, const BakeOutput& output, const Rank
 
 /// After an error, or a signal, which ends the program at once where other ranks might wait for it.
 Error giveUp(BakeOutput& output, Error error, const Ranks& ranks, const Session& session) {
+  const bool interrupted = interruptSignal() != 0, alone = ranks.size() == 1;
+  if (interrupted)
+    error.message = alone ? "stopped by a signal" : "stopped by a signal; one of the ranks may have died";
   if (ranks.rank() == 0) error = output.giveUp(std::move(error));
-  if (interruptSignal() == 0) return error;
-  if (ranks.size() > 1) {
-    printError(error);
-    dieOfInterrupt();
+  if (!interrupted) return error;
+  if (alone) {
+    printNote(session, error.message);
+    return error;
   }
-  printNote(session, error.message);
-  return error;
+  printError(error);
+  dieOfInterrupt();
 }
 
-Result<void> bake(const BakeCommand& command, const Session& session) {
-  const auto ranks = openRanks();
-  if (!ranks) return tl::unexpected(ranks.error());
-  const Result<std::unique_ptr<Bake>> prepared = prepare(command, session);
-  if (const auto sound = (*ranks)->agree(prepared.map([](const auto&) {}), 0); !sound) return sound;
+Result<void> bakeOn(Ranks& ranks, const BakeCommand& command, const Session& session) {
+  const Result<std::unique_ptr<Bake>> prepared = catching([&] { return prepare(command, session); });
+  if (const auto sound = ranks.agree(prepared.map([](const auto&) {}), 0); !sound) return sound;
   const Bake& bake = **prepared;
   const Result<BakeFormat> format = bakeFormat(command.output, bake.mesh);
   if (!format) return tl::unexpected(format.error());
@@ -216,11 +224,19 @@ Result<void> bake(const BakeCommand& command, const Session& session) {
   const InterruptScope interruptible;
   Stopwatch stopwatch;
   Result<BakeOutput> output =
-      BakeOutput::open(command.output, *format, {whatWasAsked(bake), command.restart}, **ranks, session);
+      BakeOutput::open(command.output, *format, {whatWasAsked(bake), command.restart}, ranks, session);
   if (!output) return tl::unexpected(inFile(command.output, output.error()));
-  if (const auto done = produce(bake, *output, **ranks, session); !done)
-    return tl::unexpected(giveUp(*output, done.error(), **ranks, session));
-  return printSummary(bake, *output, **ranks, session, stopwatch.lap());
+  if (const auto done = produce(bake, *output, ranks, session); !done)
+    return tl::unexpected(giveUp(*output, done.error(), ranks, session));
+  return printSummary(bake, *output, ranks, session, stopwatch.lap());
+}
+
+/// Rank 0 has the others' errors too. They end well, or mpirun would end it before it has told.
+Result<void> bake(const BakeCommand& command, const Session& session) {
+  const auto ranks = openRanks();
+  if (!ranks) return tl::unexpected(ranks.error());
+  const Result<void> done = bakeOn(**ranks, command, session);
+  return (*ranks)->rank() == 0 ? done : Result<void>{};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/cli/interrupt.h"
+#include "apps/cli/mesh_input.h"
 #include "io/block_writer.h"
 #include "io/output_target.h"
 #include "io/stream_writer.h"
@@ -104,6 +105,7 @@ Error BakeOutput::giveUp(Error error) {
     unfinished_->discard();
     return error;
   }
+  error = inFile(path_, std::move(error));
   error.message += fmt::format(" ({} whole; the same command goes on with the others)",
                                whole == 1 ? "1 frame is" : fmt::format("{} frames are", grouped(whole)));
   return error;

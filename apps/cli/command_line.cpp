@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <new>
 
+#include "apps/cli/catching.h"
 #include "apps/cli/commands.h"
 #include "apps/cli/console.h"
 #include "apps/cli/interrupt.h"
@@ -26,13 +26,7 @@ Result<void> act(const Command& command) {
 }
 
 Result<void> actCatching(const Command& command) {
-  try {
-    return act(command);
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::outOfMemory, "out of memory; use fewer --levels, or fewer --threads for a bake");
-  } catch (const std::exception& unexpected) {
-    return fail(ErrorCode::unreadable, unexpected.what());
-  }
+  return catching([&command] { return act(command); });
 }
 
 int finish(const Result<void>& result) {
@@ -52,11 +46,12 @@ void refuseEmptyNumbers(const CLI::App& app) {
 }
 
 int parseFailure(const CLI::App& app, const CLI::ParseError& failure) {
-  if (failure.get_exit_code() == 0) return app.exit(failure);  // --help, --version
+  if (failure.get_exit_code() == 0) return speaks() ? app.exit(failure) : 0;  // --help, --version
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const std::string help = chosen.empty() ? "honeycomb --help" : "honeycomb " + chosen[0]->get_name() + " --help";
   printError({ErrorCode::invalidOption, std::string(failure.what()) + "; see " + help});
-  return kUnparsable;
+  // Others of mpirun's processes, which find the same, leave it to the first to say so and to fail.
+  return speaks() ? kUnparsable : 0;
 }
 
 }  // namespace

@@ -7,10 +7,13 @@
 #include <array>
 #include <cstdio>
 
+#include "apps/cli/ranks.h"
+
 namespace honeycomb::Cli {
 namespace {
 
 void writeLine(std::string line) {
+  if (!speaks()) return;
   // File names may hold line breaks; the contract is one line.
   std::replace_if(
       line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
@@ -19,6 +22,11 @@ void writeLine(std::string line) {
 }
 
 }  // namespace
+
+bool speaks() {
+  static const bool isFirst = rankOfMany().rank == 0;
+  return isFirst;
+}
 
 bool stderrIsTerminal() {
   return isatty(STDERR_FILENO) == 1;
@@ -33,6 +41,7 @@ void printNote(const Session& session, std::string_view text) {
 }
 
 Result<void> printResult(std::string_view text) {
+  if (!speaks()) return {};
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (!written) return fail(ErrorCode::unwritable, "standard output can't be written; is its disk full?");
   return {};

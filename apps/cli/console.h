@@ -17,6 +17,9 @@ struct Session {
 /// Is somebody watching stderr? Nothing but errors goes there otherwise.
 bool stderrIsTerminal();
 
+/// Is this the process that speaks: of those that mpirun has started, the first? Others print nothing at all.
+bool speaks();
+
 /// "error: ..." on stderr, always exactly one line.
 void printError(const Error& error);
 

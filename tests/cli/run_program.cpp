@@ -28,10 +28,15 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
     limit.rlim_cur = static_cast<rlim_t>(options.fileSizeLimit);
     setrlimit(RLIMIT_FSIZE, &limit);
   }
-  std::vector<char*> argv{const_cast<char*>(HONEYCOMB_PROGRAM)};
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  std::vector<std::string> command{HONEYCOMB_PROGRAM};
+  if (options.ranks > 0)
+    command = {HONEYCOMB_MPIRUN, "--allow-run-as-root", "--oversubscribe", "-n", std::to_string(options.ranks),
+               HONEYCOMB_PROGRAM};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : command) argv.push_back(word.data());
   argv.push_back(nullptr);
-  execv(HONEYCOMB_PROGRAM, argv.data());
+  execv(argv[0], argv.data());
   _exit(127);
 }
 
@@ -54,10 +59,10 @@ Outcome run(const std::vector<std::string>& arguments, const RunOptions& options
   return outcome;
 }
 
-pid_t start(const std::vector<std::string>& arguments) {
+pid_t start(const std::vector<std::string>& arguments, const RunOptions& options) {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   const pid_t child = fork();
-  if (child == 0) become(arguments, {}, nowhere, nowhere);
+  if (child == 0) become(arguments, options, nowhere, nowhere);
   close(nowhere);
   return child;
 }

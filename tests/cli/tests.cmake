@@ -5,7 +5,8 @@ add_library(cli_test_support OBJECT
   ${CMAKE_CURRENT_LIST_DIR}/workplace.cpp)
 target_link_libraries(cli_test_support PUBLIC honeycomb_compile honeycomb_sanitize fmt::fmt
                                        PRIVATE honeycomb_warnings GTest::gtest GTest::gmock)
-target_compile_definitions(cli_test_support PRIVATE HONEYCOMB_PROGRAM="$<TARGET_FILE:honeycomb>")
+target_compile_definitions(cli_test_support PRIVATE HONEYCOMB_PROGRAM="$<TARGET_FILE:honeycomb>"
+                                                    HONEYCOMB_MPIRUN="${MPIEXEC_EXECUTABLE}")
 
 # The built program, run on real files.
 honeycomb_test(cli_test
@@ -47,4 +48,12 @@ if(HONEYCOMB_VULKAN)
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/vulkan_test.cpp
     LIBRARIES cli_test_support nlohmann_json::nlohmann_json)
   add_dependencies(cli_vulkan_test honeycomb)
+endif()
+
+# Four processes on this machine.
+if(TARGET honeycomb_mpi AND MPIEXEC_EXECUTABLE)
+  honeycomb_test(cli_mpi_test
+    SOURCES ${CMAKE_CURRENT_LIST_DIR}/mpi_test.cpp
+    LIBRARIES cli_test_support nlohmann_json::nlohmann_json)
+  add_dependencies(cli_mpi_test honeycomb)
 endif()
