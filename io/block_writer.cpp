@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "io/checksum.h"
-#include "io/written_frames.h"
 #include "io/frame_journal.h"
+#include "io/written_frames.h"
 
 namespace honeycomb::Io {
 

@@ -5,8 +5,8 @@
 
 #include "far/base/index.h"
 #include "io/block_writer.h"
-#include "io/written_frames.h"
 #include "io/output_file.h"
+#include "io/written_frames.h"
 
 namespace honeycomb::Io {
 namespace fs = std::filesystem;

@@ -22,22 +22,24 @@ void appendWord(std::uint32_t word, std::vector<std::byte>& bytes) {
   bytes.insert(bytes.end(), four.begin(), four.end());
 }
 
-float timeOf(const FrameInfo& info, std::int32_t f) {
-  return static_cast<float>(double{info.start} + f * double{info.rate});
+float timeOf(const FrameInfo& info, std::int32_t f, double unitsPerSecond) {
+  return static_cast<float>((double{info.start} + f * double{info.rate}) / unitsPerSecond);
 }
 
-std::vector<std::byte> mddHeader(const FrameInfo& info) {
+std::vector<std::byte> mddHeader(const FrameInfo& info, double unitsPerSecond) {
   std::vector<std::byte> bytes;
   appendWord(static_cast<std::uint32_t>(info.frameCount), bytes);
   appendWord(static_cast<std::uint32_t>(info.pointCount), bytes);
-  for (std::int32_t f = 0; f < info.frameCount; ++f) appendWord(std::bit_cast<std::uint32_t>(timeOf(info, f)), bytes);
+  for (std::int32_t f = 0; f < info.frameCount; ++f)
+    appendWord(std::bit_cast<std::uint32_t>(timeOf(info, f, unitsPerSecond)), bytes);
   return bytes;
 }
 
 class MddLayout : public FrameLayout {
  public:
-  explicit MddLayout(const FrameInfo& info)
-      : FrameLayout(info, mddHeader(info), std::int64_t{info.pointCount} * 3 * std::int64_t{sizeof(float)}) {}
+  MddLayout(const FrameInfo& info, double unitsPerSecond)
+      : FrameLayout(info, mddHeader(info, unitsPerSecond),
+                    std::int64_t{info.pointCount} * 3 * std::int64_t{sizeof(float)}) {}
   std::span<const std::byte> encode(std::int32_t /*f*/, std::span<const float> points,
                                     std::vector<std::byte>& storage) const override {
     storage.resize(points.size_bytes());
@@ -51,15 +53,17 @@ class MddLayout : public FrameLayout {
 
 }  // namespace
 
-Result<std::shared_ptr<const FrameLayout>> mddLayout(std::string_view name, const FrameInfo& info) {
+Result<std::shared_ptr<const FrameLayout>> mddLayout(std::string_view name, const FrameInfo& info,
+                                                     double unitsPerSecond) {
   if (Result<void> sound = checkCounts(name, "an MDD cache", info); !sound) return tl::unexpected<Error>(sound.error());
-  const bool ascend = info.rate > 0 && std::isfinite(info.start) && std::isfinite(timeOf(info, info.frameCount - 1));
+  const float first = timeOf(info, 0, unitsPerSecond), last = timeOf(info, info.frameCount - 1, unitsPerSecond);
+  const bool ascend = std::isfinite(first) && std::isfinite(last) && (last > first || info.frameCount == 1);
   if (!ascend)
     return fail(ErrorCode::invalidOption,
-                fmt::format("{}: frames that begin at {} s and follow after {} s have no times in an MDD cache; give a "
-                            "positive number of frames a second",
-                            name, info.start, info.rate));
-  return std::make_shared<const MddLayout>(info);
+                fmt::format("{}: frames from {} s to {} s have no times in an MDD cache; give a positive number of "
+                            "frames a second",
+                            name, first, last));
+  return std::make_shared<const MddLayout>(info, unitsPerSecond);
 }
 
 }  // namespace honeycomb::Io

@@ -11,8 +11,9 @@ namespace honeycomb::Io {
 
 /// A LightWave MDD point cache to be written, all of it big-endian:
 ///     int32 frames | int32 points | float32 times of the frames ... | float32 xyz ...
-/// `info` counts time in seconds: frame k is at start + k x rate. `name` stands for the file in messages. Errors:
-/// invalidOption for counts below one, and for times that are not finite or don't ascend.
-Result<std::shared_ptr<const FrameLayout>> mddLayout(std::string_view name, const FrameInfo& info);
+/// Frame k is at (start + k x rate) / unitsPerSecond: 1 where `info` counts time in seconds. `name` stands for the file
+/// in messages. Errors: invalidOption for counts below one, and for times that are not finite or don't ascend.
+Result<std::shared_ptr<const FrameLayout>> mddLayout(std::string_view name, const FrameInfo& info,
+                                                     double unitsPerSecond = 1);
 
 }  // namespace honeycomb::Io

@@ -1,12 +1,10 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <limits>
 #include <string_view>
 
+#include "io/mesh_content.h"
 #include "io/obj.h"
 #include "io/output_file.h"
 
@@ -41,61 +39,6 @@ class LineWriter {
   std::array<char, 16 * kNumberBytes> line_{};
   char* end_ = line_.data();
 };
-
-template <class Real>
-Result<void> checkSizes(const ObjContent<Real>& content) {
-  const auto& offsets = content.faceOffsets;
-  const auto onePerVertex = [&](std::span<const Real> values) {
-    return values.empty() || values.size() == content.positions.size();
-  };
-  const auto& cornerTexcoords = content.cornerTexcoords;
-  const bool fit = content.positions.size() % 3 == 0 && onePerVertex(content.normals) &&
-                   onePerVertex(content.colours) && content.texcoords.size() % 2 == 0 &&
-                   (cornerTexcoords.empty() || cornerTexcoords.size() == content.faceVertices.size()) &&
-                   !offsets.empty() && offsets.front() == 0 && std::is_sorted(offsets.begin(), offsets.end()) &&
-                   static_cast<std::size_t>(offsets.back()) == content.faceVertices.size();
-  if (fit) return {};
-  return fail(ErrorCode::invalidOption,
-              "the arrays of an OBJ do not fit together; give 3 numbers a vertex, 2 a texture coordinate, one texture "
-              "coordinate a corner and faces + 1 ascending offsets");
-}
-
-/// Are all numbers of corners at least `least` and less than `count`?
-Result<void> checkIndices(std::string_view what, std::span<const std::int32_t> corners, std::int32_t least,
-                          std::size_t count, std::span<const std::int32_t> offsets) {
-  const auto wrong = std::find_if(corners.begin(), corners.end(),
-                                  [=](std::int32_t i) { return i < least || i >= static_cast<std::int64_t>(count); });
-  if (wrong == corners.end()) return {};
-  const auto face = std::upper_bound(offsets.begin(), offsets.end(), wrong - corners.begin()) - offsets.begin() - 1;
-  return fail(ErrorCode::invalidMesh,
-              fmt::format("face {} names {} {} of {}; correct the index", face, what, *wrong, count), face);
-}
-
-template <class Real>
-Result<void> checkFinite(const std::filesystem::path& path, std::string_view what, std::span<const Real> values,
-                         std::ptrdiff_t width) {
-  const auto wrong = std::find_if(values.begin(), values.end(), [](Real value) { return !std::isfinite(value); });
-  if (wrong == values.end()) return {};
-  const auto element = (wrong - values.begin()) / width;
-  return fail(ErrorCode::invalidPositions,
-              fmt::format("{}: not written: the {} {} (counted from 0) has the coordinate {}; scale the mesh down or "
-                          "compute in double precision",
-                          path.string(), what, element, *wrong),
-              element);
-}
-
-template <class Real>
-Result<void> check(const std::filesystem::path& path, const ObjContent<Real>& c) {
-  return checkSizes(c)
-      .and_then([&] { return checkIndices("vertex", c.faceVertices, 0, c.positions.size() / 3, c.faceOffsets); })
-      .and_then([&] {
-        return checkIndices("texture coordinate", c.cornerTexcoords, -1, c.texcoords.size() / 2, c.faceOffsets);
-      })
-      .and_then([&] { return checkFinite(path, "position of vertex", c.positions, 3); })
-      .and_then([&] { return checkFinite(path, "normal of vertex", c.normals, 3); })
-      .and_then([&] { return checkFinite(path, "colour of vertex", c.colours, 3); })
-      .and_then([&] { return checkFinite(path, "texture coordinate", c.texcoords, 2); });
-}
 
 /// Lines of `width` numbers behind a statement; `more` has three further numbers for each line, or none.
 template <class Real>
@@ -160,7 +103,7 @@ Result<void> writeTo(OutputFile& file, const ObjContent<Real>& content) {
 
 template <class Real>
 Result<void> writeObj(const std::filesystem::path& path, const ObjContent<Real>& content) {
-  Result<void> sound = check(path, content);
+  Result<void> sound = checkContent(path, content);
   if (!sound) return sound;
   Result<OutputFile> file = OutputFile::create(path);
   if (!file) return tl::unexpected<Error>(file.error());

@@ -12,6 +12,7 @@
 #include "apps/cli/formats.h"
 #include "apps/cli/interrupt.h"
 #include "apps/cli/json_text.h"
+#include "apps/cli/mesh_output.h"
 #include "apps/cli/primvars.h"
 #include "apps/cli/ranks.h"
 #include "apps/cli/surface_options.h"
@@ -37,7 +38,7 @@ Result<void> checkFiles(const BakeCommand& command) {
     taken.emplace_back(command.surface.scheme.text(kCentralFileOption));
   if (const auto writable = checkOutput(command.output, taken); !writable) return writable;
   if (command.mesh.empty()) return {};
-  if (const auto known = meshFormat(command.mesh); !known) return tl::unexpected(known.error());
+  if (const auto known = meshOutput(command.mesh); !known) return tl::unexpected(known.error());
   taken.emplace_back(command.output);
   return checkOutput(command.mesh, taken);
 }
@@ -139,7 +140,7 @@ std::uint64_t whatWasAsked(const Bake& bake) {
 Result<void> writeFiles(const Bake& bake, BakeOutput& output) {
   const std::string& mesh = bake.command.mesh;
   if (!mesh.empty()) {
-    const Result<const MeshFormat*> format = meshFormat(mesh);
+    const Result<const MeshOutput*> format = meshOutput(mesh);
     if (!format) return tl::unexpected(format.error());
     if (const auto written = (*format)->write(mesh, bake.mesh.content); !written) return written;
   }
@@ -247,7 +248,8 @@ void addBake(CLI::App& app, Command& command) {
   subcommand->add_option("IN", options->surface.input, "Control mesh (.obj)")->required();
   subcommand->add_option("OUT", options->output, "Refined frames (.pc2, .mdd, .glb, or a mesh a frame: name_%04d.obj)")
       ->required();
-  subcommand->add_option("--mesh", options->mesh, "Also write the refined mesh of the first frame baked (.obj)");
+  subcommand->add_option("--mesh", options->mesh,
+                         "Also write the refined mesh of the first frame baked (.obj, .ply, .glb)");
   subcommand->add_flag("--restart", options->restart, "Bake all frames, also those that an earlier run has left");
   addAnimationOptions(*subcommand, options->animation);
   addSurfaceOptions(*subcommand, options->surface);

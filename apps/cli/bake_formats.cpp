@@ -8,6 +8,8 @@
 
 #include "apps/cli/choice.h"
 #include "apps/cli/formats.h"
+#include "apps/cli/mesh_output.h"
+#include "io/glb_writer.h"
 #include "io/mdd_writer.h"
 #include "io/pc2.h"
 
@@ -23,10 +25,15 @@ Layout pc2(std::string_view name, const BakedMesh& mesh) {
 }
 
 Layout mdd(std::string_view name, const BakedMesh& mesh) {
+  return Io::mddLayout(name, mesh.info, mesh.framesPerSecond);
+}
+
+/// From 0 on: what plays it begins there.
+Layout glb(std::string_view name, const BakedMesh& mesh) {
   Io::FrameInfo info = mesh.info;
-  info.start = static_cast<float>(info.start / mesh.framesPerSecond);
+  info.start = 0;
   info.rate = static_cast<float>(info.rate / mesh.framesPerSecond);
-  return Io::mddLayout(name, info);
+  return Io::glbLayout(name, mesh.content, info);
 }
 
 /// All frames in one file. A new one is one line.
@@ -35,10 +42,13 @@ struct SingleFileFormat {
   bool storesMesh;
   Layout (*layout)(std::string_view name, const BakedMesh& mesh);
 };
-constexpr std::array kSingleFiles{SingleFileFormat{".pc2", false, pc2}, SingleFileFormat{".mdd", false, mdd}};
+constexpr std::array kSingleFiles{SingleFileFormat{".pc2", false, pc2}, SingleFileFormat{".mdd", false, mdd},
+                                  SingleFileFormat{".glb", true, glb}};
 
+/// Null for a sequence, and for what isn't known. A mesh with a place for a number in its name is one of many.
 const SingleFileFormat* singleFile(const std::filesystem::path& path) {
   const std::string extension = lowerExtension(path);
+  if (Io::FrameNames::parse(path) && meshOutput(path)) return nullptr;
   for (const SingleFileFormat& format : kSingleFiles)
     if (format.name == extension) return &format;
   return nullptr;
@@ -48,7 +58,7 @@ const SingleFileFormat* singleFile(const std::filesystem::path& path) {
 
 Result<void> checkBakeFormat(const std::filesystem::path& path) {
   if (singleFile(path) != nullptr) return {};
-  if (Io::FrameNames::parse(path)) return meshFormat(path).map([](const MeshFormat*) {});
+  if (Io::FrameNames::parse(path)) return meshOutput(path).map([](const MeshOutput*) {});
   return fail(ErrorCode::invalidOption,
               fmt::format("{}: baked files end in {}, or are a sequence of meshes such as {}; give one of these",
                           path.string(), names(kSingleFiles), "frame_%04d.obj"));
@@ -62,13 +72,12 @@ bool storesMesh(const std::filesystem::path& path) {
 Result<BakeFormat> bakeFormat(const std::filesystem::path& path, const BakedMesh& mesh) {
   if (const SingleFileFormat* single = singleFile(path))
     return single->layout(path.string(), mesh).map([](auto layout) { return BakeFormat{std::move(layout), nullptr}; });
-  const Result<const MeshFormat*> format = meshFormat(path);
+  const Result<const MeshOutput*> format = meshOutput(path);
   if (!format) return tl::unexpected(format.error());
-  const auto writeFrame = [&mesh, meshFormat = *format](const std::filesystem::path& file,
-                                                        std::span<const float> points) {
+  const auto writeFrame = [&mesh, output = *format](const std::filesystem::path& file, std::span<const float> points) {
     Io::ObjContent<float> content = mesh.content;
     content.positions = points;
-    return meshFormat->write(file, content);
+    return output->write(file, content);
   };
   const std::int32_t first = mesh.firstFrame;
   return BakeFormat{nullptr, std::make_shared<const Io::FrameSequence>(

@@ -11,6 +11,7 @@
 #include "apps/cli/interrupt.h"
 #include "apps/cli/json_text.h"
 #include "apps/cli/mesh_input.h"
+#include "apps/cli/mesh_output.h"
 #include "far/base/index.h"
 #include "far/conversions/bricks.h"
 #include "far/conversions/conversions.h"
@@ -108,7 +109,7 @@ Result<Converted> convertMesh(const ConvertCommand& command, const Target& targe
 }
 
 Result<void> write(const ConvertCommand& command, const Converted& converted) {
-  const Result<const MeshFormat*> format = meshFormat(command.output);
+  const Result<const MeshOutput*> format = meshOutput(command.output);
   if (!format) return tl::unexpected(format.error());
   const Far::Polygons& polygons = converted.mesh.polygons;
   // checkManifold built a topology of it, so its corners can be counted in 32 bits.
@@ -143,7 +144,7 @@ Result<void> convert(const ConvertCommand& command, const Session& session) {
   const auto target = choose(kTargets, "--to", command.to);
   if (!target) return tl::unexpected(target.error());
   if (const auto sensible = checkOptions(command, **target); !sensible) return sensible;
-  if (const auto format = meshFormat(command.output); !format) return tl::unexpected(format.error());
+  if (const auto format = meshOutput(command.output); !format) return tl::unexpected(format.error());
   const std::array<std::filesystem::path, 1> inputs{command.input};
   if (const auto writable = checkOutput(command.output, inputs); !writable) return writable;
   const Result<MeshInput> input = readMesh(command.input, command.read);

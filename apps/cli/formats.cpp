@@ -17,8 +17,6 @@
 namespace honeycomb::Cli {
 namespace {
 
-constexpr std::array kMeshFormats{MeshFormat{".obj", Io::readObj, Io::writeObj<float>, Io::writeObj<double>}};
-
 template <class Reader>
 Result<std::shared_ptr<const Io::FrameSource>> openReader(const std::filesystem::path& path) {
   Result<Reader> reader = Reader::open(path);
@@ -34,11 +32,6 @@ struct MeshReader {
   ReadMesh read;
 };
 constexpr std::array kMeshReaders{MeshReader{".obj", Io::readObj}, MeshReader{".ply", Io::readPly}};
-
-struct CacheFormat {
-  std::string_view name;
-};
-constexpr std::array kCacheFormats{CacheFormat{".pc2"}};
 
 template <class Table>
 auto byExtension(const Table& table, std::string_view kind, const std::filesystem::path& path)
@@ -65,10 +58,6 @@ std::string lowerExtension(const std::filesystem::path& path) {
   return extension;
 }
 
-Result<const MeshFormat*> meshFormat(const std::filesystem::path& path) {
-  return byExtension(kMeshFormats, "mesh", path);
-}
-
 Result<ReadMesh> meshReader(const std::filesystem::path& path) {
   return byExtension(kMeshReaders, "mesh", path).map([](const MeshReader* reader) { return reader->read; });
 }
@@ -79,10 +68,6 @@ std::string meshInputNames() {
 
 Result<const CacheInput*> cacheInput(const std::filesystem::path& path) {
   return byExtension(kCacheInputs, "point cache", path);
-}
-
-Result<void> checkCacheFormat(const std::filesystem::path& path) {
-  return byExtension(kCacheFormats, "point cache", path).map([](const CacheFormat*) {});
 }
 
 Result<void> checkOutput(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs) {

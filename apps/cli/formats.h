@@ -15,24 +15,6 @@
 
 namespace honeycomb::Cli {
 
-/// A file format for meshes. A new one is one line of the table in formats.cpp.
-struct MeshFormat {
-  std::string_view name;  ///< the extension with its dot, in lower case
-  Result<Io::Mesh> (*read)(const std::filesystem::path&);
-  Result<void> (*writeSingle)(const std::filesystem::path&, const Io::ObjContent<float>&);
-  Result<void> (*writeDouble)(const std::filesystem::path&, const Io::ObjContent<double>&);
-
-  Result<void> write(const std::filesystem::path& path, const Io::ObjContent<float>& content) const {
-    return writeSingle(path, content);
-  }
-  Result<void> write(const std::filesystem::path& path, const Io::ObjContent<double>& content) const {
-    return writeDouble(path, content);
-  }
-};
-
-/// The mesh format of a path by its extension, in upper or lower case. Errors: invalidOption, listing the formats.
-Result<const MeshFormat*> meshFormat(const std::filesystem::path& path);
-
 using ReadMesh = Result<Io::Mesh> (*)(const std::filesystem::path&);
 
 /// What reads a mesh of one pose, by its extension; a new format is one line of the table in formats.cpp. Errors:
@@ -53,9 +35,6 @@ Result<const CacheInput*> cacheInput(const std::filesystem::path& path);
 
 /// The extension with its dot, in lower case.
 std::string lowerExtension(const std::filesystem::path& path);
-
-/// Is the path that of a point cache to be written? Errors: invalidOption, listing the cache formats.
-Result<void> checkCacheFormat(const std::filesystem::path& path);
 
 /// Can the output be what the user wants, as far as can be told before the work is done: in a folder that is there and
 /// can be written, no folder itself, and none of the inputs. Errors: unwritable, invalidOption.

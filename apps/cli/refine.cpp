@@ -11,6 +11,7 @@
 #include "apps/cli/formats.h"
 #include "apps/cli/interrupt.h"
 #include "apps/cli/json_text.h"
+#include "apps/cli/mesh_output.h"
 #include "apps/cli/primvars.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/surface_options.h"
@@ -97,7 +98,7 @@ struct Refined {
 
 template <class Real>
 Result<void> writeSurface(const std::string& output, const Far::Refinement& refinement, const Refined<Real>& refined) {
-  const Result<const MeshFormat*> format = meshFormat(output);
+  const Result<const MeshOutput*> format = meshOutput(output);
   if (!format) return tl::unexpected(format.error());
   const Far::Topology& topology = refinement.last().topology;
   Io::ObjContent<Real> content{refined.surface.vertices(), refined.surface.normals, topology.faceOffsets(),
@@ -205,7 +206,7 @@ LevelChoice levelChoice(const RefineCommand& command) {
 
 /// What can be told before the mesh is read.
 Result<void> checkCommand(const RefineCommand& command) {
-  if (const auto format = meshFormat(command.output); !format) return tl::unexpected(format.error());
+  if (const auto format = meshOutput(command.output); !format) return tl::unexpected(format.error());
   std::vector<std::filesystem::path> inputs{command.surface.input};
   if (command.surface.scheme.given(kCentralFileOption))
     inputs.emplace_back(command.surface.scheme.text(kCentralFileOption));
@@ -246,7 +247,7 @@ void addRefine(CLI::App& app, Command& command) {
   const auto options = std::make_shared<RefineCommand>();
   CLI::App* subcommand = app.add_subcommand("refine", "Refine a mesh");
   subcommand->add_option("IN", options->surface.input, "Control mesh: " + meshInputNames())->required();
-  subcommand->add_option("OUT", options->output, "Refined mesh (.obj)")->required();
+  subcommand->add_option("OUT", options->output, "Refined mesh (.obj, .ply, .glb)")->required();
   addSurfaceOptions(*subcommand, options->surface);
   subcommand->add_option("--precision", options->precision, "Arithmetic: " + names(kPrecisions))->capture_default_str();
   subcommand->add_option("--normals", options->normals, "Limit normals of the vertices: " + names(kNormals))

@@ -80,6 +80,12 @@ TEST_F(BakeResumeTest, KilledAgainAndAgainItComesToItsEnd) {
   EXPECT_TRUE(read("out.mdd") == whole);
 }
 
+TEST_F(BakeResumeTest, GlbGoesOnToo) {
+  stopHalfWay("out.glb");
+  EXPECT_GT(finish(bake("out.glb")).at("frames_resumed"), 10);
+  EXPECT_TRUE(read("out.glb") == uninterrupted(".glb"));
+}
+
 TEST_F(BakeResumeTest, FinishedFramesAreNotBakedAgain) {
   stopHalfWay("out.pc2");
   const auto summary = finish(bake("out.pc2"));

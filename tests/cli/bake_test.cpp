@@ -1,3 +1,4 @@
+#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -123,6 +124,66 @@ TEST_F(BakeTest, CacheIsRemappedWhereVerticesAreDropped) {
   expectBaked({"bake", file("loose.obj", loose), path("out.pc2"), "--cache", cacheOf(loose, 4), "--drop-isolated"});
   for (int f = 0; f < 4; ++f)
     EXPECT_TRUE(bakedFrame("out.pc2", f) == refinedAlone(cubeObj(), bentFrame(cubeObj(), f), "2")) << f;
+}
+
+TEST_F(BakeTest, SequencesAreTheFramesRefinedAlone) {
+  const std::string obj = gridObj(4), in = file("grid.obj", obj), frames = cacheOf(obj, 12);
+  for (const std::string extension : {"obj", "ply", "glb"}) {
+    expectBaked({"bake", in, path("out_%03d." + extension), "--cache", frames, "--frames", "9:12"});
+    for (const int f : {9, 10, 11}) {
+      const std::string name = (f < 10 ? "out_00" : "out_0") + std::to_string(f) + "." + extension;
+      expectBaked({"refine", file("frame.obj", withPositions(obj, bentFrame(obj, f))), path("alone." + extension)});
+      EXPECT_TRUE(read(name) == read("alone." + extension)) << name;
+    }
+  }
+}
+
+TEST_F(BakeTest, MddHasTheFramesOfPc2AndTheirTimes) {
+  const std::string in = file("cube.obj", cubeObj()), frames = cacheOf(cubeObj(), 4);
+  expectBaked({"bake", in, path("out.pc2"), "--cache", frames, "--frames", "1:4"});
+  expectBaked({"bake", in, path("out.mdd"), "--cache", frames, "--frames", "1:4"});
+  const std::string pc2 = read("out.pc2"), mdd = read("out.mdd");
+  ASSERT_EQ(mdd.size(), 8U + 3 * 4 + (pc2.size() - 32));
+  const auto word = [&mdd](std::size_t offset) {
+    return std::string(mdd.rbegin() + static_cast<std::ptrdiff_t>(mdd.size() - offset - 4),
+                       mdd.rbegin() + static_cast<std::ptrdiff_t>(mdd.size() - offset));
+  };
+  const auto bytes = [](auto value) { return std::string(reinterpret_cast<const char*>(&value), 4); };
+  EXPECT_EQ(word(0), bytes(3));
+  EXPECT_EQ(word(4), bytes(72));
+  for (std::size_t f = 0; f < 3; ++f)  // the cache begins at 1.5 and goes on by 0.5, at 24 frames a second
+    EXPECT_EQ(word(8 + 4 * f), bytes((2.0F + 0.5F * static_cast<float>(f)) / 24)) << f;
+  for (std::size_t i = 0; 32 + i < pc2.size(); i += 4) ASSERT_EQ(word(20 + i), pc2.substr(32 + i, 4)) << i;
+}
+
+TEST_F(BakeTest, GlbHasAMorphTargetAFrame) {
+  const std::string obj = torusObj(8), in = file("torus.obj", obj), frames = cacheOf(obj, 6);
+  expectBaked({"bake", in, path("out.glb"), "--cache", frames});
+  expectBaked({"bake", in, path("out.pc2"), "--cache", frames});
+  const std::string glb = read("out.glb");
+  std::uint32_t jsonBytes = 0;
+  std::memcpy(&jsonBytes, glb.data() + 12, 4);
+  const auto json = nlohmann::json::parse(glb.substr(20, jsonBytes));
+  const auto& targets = json["meshes"][0]["primitives"][0]["targets"];
+  ASSERT_EQ(targets.size(), 5U);
+  const std::vector<float> first = bakedFrame("out.pc2", 0), fourth = bakedFrame("out.pc2", 3);
+  const auto& accessor = json["accessors"][targets[2]["POSITION"].get<std::size_t>()];
+  const auto& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+  std::vector<float> differences(first.size());
+  std::memcpy(
+      differences.data(),
+      glb.data() + 28 + jsonBytes + view["byteOffset"].get<std::size_t>() + accessor["byteOffset"].get<std::size_t>(),
+      4 * differences.size());
+  for (std::size_t i = 0; i < first.size(); ++i) ASSERT_EQ(differences[i], fourth[i] - first[i]) << i;
+}
+
+TEST_F(BakeTest, MeshesBesideAreOfAnyKind) {
+  const std::string in = file("cube.obj", cubeObj()), frames = cacheOf(cubeObj(), 2);
+  for (const std::string name : {"mesh.ply", "mesh.glb"}) {
+    expectBaked({"bake", in, path("out.pc2"), "--cache", frames, "--mesh", path(name)});
+    expectBaked({"refine", in, path("alone" + name)});  // frame 0 is the cube itself
+    EXPECT_TRUE(read(name) == read("alone" + name)) << name;
+  }
 }
 
 TEST_F(BakeTest, JsonSummaryCountsFrames) {

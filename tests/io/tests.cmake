@@ -1,6 +1,7 @@
 honeycomb_test(io_tests
   SOURCES
     io/frame_names_test.cpp
+    io/glb_writer_test.cpp
     io/mapped_file_test.cpp
     io/mdd_reader_test.cpp
     io/mdd_writer_test.cpp
@@ -15,9 +16,11 @@ honeycomb_test(io_tests
     io/output_file_test.cpp
     io/pc2_writer_test.cpp
     io/ply_reader_test.cpp
+    io/ply_writer_test.cpp
     io/png_test.cpp
     io/text_cursor_test.cpp
-  LIBRARIES honeycomb::io PNG::PNG)
+    io/triangulate_test.cpp
+  LIBRARIES honeycomb::io PNG::PNG nlohmann_json::nlohmann_json)
 
 # Frames are written by threads.
 honeycomb_test(io_unfinished_frames_test

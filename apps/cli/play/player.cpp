@@ -65,7 +65,7 @@ void Player::change(SurfaceRequest request) {
 void Player::openFile(const std::string& path) {
   SurfaceRequest request = request_;
   request.animation.frames.clear();
-  if (checkCacheFormat(path)) {
+  if (cacheInput(path)) {
     request.animation.cache = path;
   } else {
     request.surface.input = path;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "far/base/result.h"
+#include "io/obj.h"
+
+namespace honeycomb::Cli {
+
+/// A file format that meshes are written in. A new one is one line of the table in mesh_output.cpp.
+struct MeshOutput {
+  std::string_view name;  ///< the extension with its dot, in lower case
+  Result<void> (*writeSingle)(const std::filesystem::path&, const Io::ObjContent<float>&);
+  Result<void> (*writeDouble)(const std::filesystem::path&, const Io::ObjContent<double>&);
+
+  Result<void> write(const std::filesystem::path& path, const Io::ObjContent<float>& content) const {
+    return writeSingle(path, content);
+  }
+  Result<void> write(const std::filesystem::path& path, const Io::ObjContent<double>& content) const {
+    return writeDouble(path, content);
+  }
+};
+
+/// The format of a mesh to be written, by its path's extension, in upper or lower case. Errors: invalidOption, listing
+/// the formats.
+Result<const MeshOutput*> meshOutput(const std::filesystem::path& path);
+
+}  // namespace honeycomb::Cli
