@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t kSceneHeadBytes = 4096;
 constexpr std::size_t kMostSceneBytes = std::size_t{1} << 30U;  // Assimp holds several copies in memory
 
-/// A format that Assimp reads; `begins` is one of the texts that its first bytes hold.
+/// A format that Assimp reads; `begins` is one of the texts that its first bytes hold. MD5 and OFF are left out:
+/// damaged files of theirs make Assimp 5.2 read past its arrays, or ask for any amount of memory.
 struct SceneFormat {
   std::string_view extension;
   std::array<std::string_view, 3> begins;  // empty ones don't count; all empty: anything
@@ -26,11 +27,10 @@ struct SceneFormat {
 constexpr std::array kSceneFormats{SceneFormat{".gltf", {"{"}},
                                    SceneFormat{".glb", {"glTF"}},
                                    SceneFormat{".fbx", {"Kaydara FBX Binary", "FBXHeader", "; FBX"}},
-                                   SceneFormat{".dae", {"<COLLADA", "C\0O\0L\0L\0A\0D\0A"}},
+                                   SceneFormat{".dae", {"<COLLADA"}},
                                    SceneFormat{".bvh", {"HIERARCHY"}},
                                    SceneFormat{".b3d", {"BB3D"}},
                                    SceneFormat{".x", {"xof "}},
-                                   SceneFormat{".md5mesh", {"MD5Version"}},
                                    SceneFormat{".ms3d", {"MS3D000000"}},
                                    SceneFormat{".smd", {"version"}},
                                    SceneFormat{".iqm", {"INTERQUAKEMODEL"}},
