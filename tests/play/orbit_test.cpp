@@ -59,7 +59,7 @@ TEST(OrbitTest, ZoomHalvesTheDistanceAndFrameAllBringsItBack) {
   const float distance = orbit.distance();
   orbit.zoom(2);
   EXPECT_FLOAT_EQ(orbit.distance(), distance / 2);
-  orbit.frameAll(kBox, kAspect);
+  orbit.frameAll(kBox, kBoxBounds, kAspect);
   EXPECT_NEAR(orbit.distance(), distance, 1e-4F * distance);
 }
 

@@ -26,7 +26,8 @@ void changeLevels(Player& player, std::int32_t by) {
 
 void changeScheme(Player& player, int direction) {
   SurfaceRequest request = player.request();
-  stepScheme(request, direction);
+  // On from what was tried last, lest a scheme that the mesh isn't for bars the way.
+  stepScheme(request, player.triedScheme(), direction);
   player.say("scheme " + request.surface.scheme.scheme);
   player.change(std::move(request));
 }

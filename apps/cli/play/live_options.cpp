@@ -71,10 +71,10 @@ void setLevels(SurfaceRequest& request, std::int32_t levels) {
   request.surface.levels = levels;
 }
 
-void stepScheme(SurfaceRequest& request, int direction) {
+void stepScheme(SurfaceRequest& request, const std::string& from, int direction) {
   std::vector<std::string> names;
   for (const SchemeEntry& entry : schemes()) names.emplace_back(entry.name);
-  setScheme(request, names[stepped(placeOf(names, request.surface.scheme.scheme), direction, names.size())]);
+  setScheme(request, names[stepped(placeOf(names, from), direction, names.size())]);
 }
 
 std::vector<std::string> choicesOf(const SurfaceRequest& request, const SchemeOption& option) {

@@ -17,8 +17,8 @@ std::int32_t levelsOf(const SurfaceRequest& request);
 /// Another scheme, or a chain with levels of its own: options that it doesn't have are given up.
 void setScheme(SurfaceRequest& request, const std::string& scheme);
 void setLevels(SurfaceRequest& request, std::int32_t levels);
-/// The scheme before or after in the table.
-void stepScheme(SurfaceRequest& request, int direction);
+/// The scheme before or after `from` in the table.
+void stepScheme(SurfaceRequest& request, const std::string& from, int direction);
 
 /// What an option can be, where that is a list: boundary rules, flags; empty: anything.
 std::vector<std::string> choicesOf(const SurfaceRequest& request, const SchemeOption& option);

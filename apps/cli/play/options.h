@@ -17,7 +17,7 @@ struct PlayCommand {
   std::string size;
   std::optional<double> turntable;  ///< degrees over the clip
   std::string view = "cells";
-  bool edges = false;    ///< whatever the view has
+  bool edges = false;  ///< whatever the view has
   bool noEdges = false;
   bool cage = false;
   bool normals = false;

@@ -40,7 +40,7 @@ Orbit::Orbit(const Viewer::Bounds& bounds)
 
 Orbit Orbit::framing(std::span<const float> points, const Viewer::Bounds& bounds, float aspect) {
   Orbit orbit(bounds);
-  orbit.frameAll(points, aspect);
+  orbit.frameAll(points, bounds, aspect);
   return orbit;
 }
 
@@ -75,7 +75,9 @@ void Orbit::pan(float right, float up) {
   target_ -= height * (right * axis + up * glm::cross(direction(), axis));
 }
 
-void Orbit::frameAll(std::span<const float> points, float aspect) {
+void Orbit::frameAll(std::span<const float> points, const Viewer::Bounds& bounds, float aspect) {
+  middle_ = bounds.centre();
+  radius_ = std::max(bounds.radius(), 1e-6f);
   const Viewer::Camera camera = Viewer::frameAll(points, direction(), aspect, kFieldOfView, kMargin);
   target_ = camera.target;
   distance_ = std::max(glm::length(camera.eye - camera.target), 1e-6f);

@@ -21,7 +21,7 @@ class Orbit {
   /// Moves what is looked at, in heights of the picture: to the right and up.
   void pan(float right, float up);
   /// From the same side, everything in the picture again.
-  void frameAll(std::span<const float> points, float aspect);
+  void frameAll(std::span<const float> points, const Viewer::Bounds& bounds, float aspect);
 
   Viewer::Camera camera() const;
   float yaw() const { return yaw_; }

@@ -22,6 +22,7 @@ Player::Player(SurfaceRequest request, Appearance look, BackendChoice choice, Ba
       backend(std::move(choice)),
       request_(std::move(request)),
       shown_(request_),
+      triedScheme_(request_.surface.scheme.scheme),
       turntable_(turntable),
       build_(std::move(build)) {
   build_.ask(request_);
@@ -59,6 +60,7 @@ void Player::take(BackgroundBuild::Outcome outcome) {
 
 void Player::change(SurfaceRequest request) {
   request_ = std::move(request);
+  triedScheme_ = request_.surface.scheme.scheme;
   build_.ask(request_);
 }
 
@@ -117,7 +119,7 @@ Orbit Player::view() const {
 void Player::frameAll() {
   if (!surface_) return;
   if (orbit_)
-    orbit_->frameAll(surface_->outline(), aspect_);
+    orbit_->frameAll(surface_->outline(), surface_->bounds(), aspect_);
   else if (turntable_)
     orbit_ = Orbit::turntable(surface_->outline(), surface_->bounds(), aspect_);
   else

@@ -38,6 +38,8 @@ class Player {
   /// Builds something else in the background; the surface stays until it is there, and for good where it has an error:
   /// then that is the message and the request is what it was.
   void change(SurfaceRequest request);
+  /// The scheme of the last change, whatever came of it.
+  const std::string& triedScheme() const { return triedScheme_; }
   /// Plays another file: a mesh, or a point cache for the mesh there is.
   void openFile(const std::string& path);
   bool building() const { return build_.busy(); }
@@ -83,6 +85,7 @@ class Player {
 
   SurfaceRequest request_;
   SurfaceRequest shown_;
+  std::string triedScheme_;
   std::optional<double> turntable_;
   std::shared_ptr<const PlaySurface> surface_;
   std::optional<Orbit> orbit_;

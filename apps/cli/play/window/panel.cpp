@@ -10,7 +10,7 @@ namespace honeycomb::Cli::Play {
 namespace {
 
 constexpr float kMargin = 12;
-constexpr double kMessageSeconds = 6;
+constexpr double kMessageSeconds = 3;
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
                                     ImGuiWindowFlags_NoNav;
