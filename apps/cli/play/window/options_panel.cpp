@@ -11,13 +11,13 @@
 namespace honeycomb::Cli::Play {
 namespace {
 
-constexpr float kWidth = 132;  ///< of what options are changed with
+constexpr float kFieldWidth = 132;  ///< of what options are changed with
 
 /// A list of names to choose from; the chosen one, or nothing.
 template <class Names>
 std::optional<std::string> combo(const char* label, const std::string& current, const Names& names) {
   std::optional<std::string> chosen;
-  ImGui::SetNextItemWidth(kWidth);
+  ImGui::SetNextItemWidth(kFieldWidth);
   if (!ImGui::BeginCombo(label, current.c_str())) return chosen;
   for (const auto& entry : names) {
     const std::string name(entry);
@@ -29,7 +29,7 @@ std::optional<std::string> combo(const char* label, const std::string& current, 
 
 /// A text that is taken when Enter is pressed.
 std::optional<std::string> textField(const char* label, std::string text) {
-  ImGui::SetNextItemWidth(kWidth);
+  ImGui::SetNextItemWidth(kFieldWidth);
   if (ImGui::InputText(label, &text, ImGuiInputTextFlags_EnterReturnsTrue)) return text;
   return std::nullopt;
 }
@@ -67,7 +67,7 @@ void layOutScheme(Player& player) {
     return player.change(std::move(request));
   }
   int levels = levelsOf(request);
-  ImGui::SetNextItemWidth(kWidth);
+  ImGui::SetNextItemWidth(kFieldWidth);
   if (ImGui::InputInt("level", &levels)) {
     setLevels(request, levels);
     return player.change(std::move(request));

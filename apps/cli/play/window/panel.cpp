@@ -9,7 +9,7 @@
 namespace honeycomb::Cli::Play {
 namespace {
 
-constexpr float kMargin = 12;
+constexpr float kPanelMargin = 12;
 constexpr double kMessageSeconds = 3;
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing |
@@ -47,7 +47,7 @@ void listKeys(std::size_t first, std::size_t end) {
 
 void layOutGraphs(const Player& player, const InterfaceFacts& facts) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({size.x - kMargin, kMargin}, ImGuiCond_Always, {1, 0});
+  ImGui::SetNextWindowPos({size.x - kPanelMargin, kPanelMargin}, ImGuiCond_Always, {1, 0});
   ImGui::Begin("graphs", nullptr, kFixed | ImGuiWindowFlags_NoInputs);
   const Histories& histories = player.histories;
   ImGui::Text("%.1f frames a second", facts.framesPerSecond);
@@ -63,8 +63,8 @@ void layOutGraphs(const Player& player, const InterfaceFacts& facts) {
 void layOutTransport(Player& player) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   PlayClock& clock = player.clock;
-  ImGui::SetNextWindowPos({0.5f * size.x, size.y - kMargin}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::SetNextWindowSize({std::min(760.0f, size.x - 2 * kMargin), 0});
+  ImGui::SetNextWindowPos({0.5f * size.x, size.y - kPanelMargin}, ImGuiCond_Always, {0.5f, 1});
+  ImGui::SetNextWindowSize({std::min(760.0f, size.x - 2 * kPanelMargin), 0});
   ImGui::Begin("transport", nullptr, kFixed & ~ImGuiWindowFlags_AlwaysAutoResize);
   if (ImGui::Button(clock.playing() ? "pause" : "play", {58, 0})) clock.toggle();
   ImGui::SameLine();
