@@ -89,7 +89,8 @@ TEST_F(MeshTest, MissingFileIsNamed) {
 
 TEST_F(MeshTest, UnknownFormatIsRefusedWithAList) {
   const std::string in = file("cube.abc", "Ogawa");
-  EXPECT_REFUSED((std::vector<std::string>{"refine", in, path("out.obj")}), HasSubstr(in), HasSubstr(".obj, .ply, .gltf"));
+  EXPECT_REFUSED((std::vector<std::string>{"refine", in, path("out.obj")}), HasSubstr(in),
+                 HasSubstr(".obj, .ply, .gltf"));
   EXPECT_REFUSED((std::vector<std::string>{"refine", file("c.obj", cubeObj()), path("out.stl")}), HasSubstr("out.stl"),
                  HasSubstr(".obj"));
 }

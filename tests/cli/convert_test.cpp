@@ -19,8 +19,7 @@ class ConvertTest : public Workplace {
     all.insert(all.end(), options.begin(), options.end());
     return all;
   }
-  Io::Mesh convert(const std::string& in, const std::string& to,
-                      const std::vector<std::string>& options = {}) const {
+  Io::Mesh convert(const std::string& in, const std::string& to, const std::vector<std::string>& options = {}) const {
     const Outcome outcome = run(arguments(in, to, options));
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
