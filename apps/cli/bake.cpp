@@ -245,7 +245,7 @@ Result<void> bake(const BakeCommand& command, const Session& session) {
 void addBake(CLI::App& app, Command& command) {
   const auto options = std::make_shared<BakeCommand>();
   CLI::App* subcommand = app.add_subcommand("bake", "Refine every frame of an animated mesh");
-  subcommand->add_option("IN", options->surface.input, "Control mesh (.obj)")->required();
+  subcommand->add_option("IN", options->surface.input, "Control mesh: " + meshInputNames())->required();
   subcommand->add_option("OUT", options->output, "Refined frames (.pc2, .mdd, .glb, or a mesh a frame: name_%04d.obj)")
       ->required();
   subcommand->add_option("--mesh", options->mesh,

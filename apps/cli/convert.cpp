@@ -161,7 +161,7 @@ void addConvert(CLI::App& app, Command& command) {
   const auto options = std::make_shared<ConvertCommand>();
   CLI::App* subcommand = app.add_subcommand("convert", "Make another mesh from a mesh");
   subcommand->add_option("IN", options->input, "Mesh: " + meshInputNames())->required();
-  subcommand->add_option("OUT", options->output, "Converted mesh (.obj)")->required();
+  subcommand->add_option("OUT", options->output, "Converted mesh (.obj, .ply, .glb)")->required();
   subcommand
       ->add_option("--to", options->to,
                    "Conversion: " + names(kTargets) +
