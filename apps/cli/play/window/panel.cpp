@@ -56,7 +56,7 @@ void layOutGraphs(const Player& player, const InterfaceFacts& facts) {
   plot("upload", histories.upload, milliseconds(histories.upload));
   plot("draw", histories.draw, milliseconds(histories.draw));
   if (player.comparing)
-    plot("serial, tbb, vulkan differ by", histories.difference, fmt::format("{:g} ulp", histories.difference.most()));
+    plot("backends differ by", histories.difference, fmt::format("{:g} ulp", histories.difference.most()));
   ImGui::End();
 }
 

@@ -178,6 +178,9 @@ Window::Drawn Window::wanted() const {
 Result<void> Window::draw() {
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();
+  const Histories& took = player_.histories;
+  const double frameMs = static_cast<double>(took.evaluate.median() + took.upload.median() + took.draw.median());
+  facts_.framesPerSecond = frameMs > 0 ? 1000 / frameMs : 0;
   layOutInterface(player_, facts_);
   ImGui::Render();
   const Drawn now = wanted();
