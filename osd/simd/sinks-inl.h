@@ -107,17 +107,21 @@ class Sink {
   /// The n outputs of each of a vector's faces (rows: n is 1), the first of which is number `face` of its step.
   template <class D>
   HWY_INLINE void put(D d, const hn::Vec<D>* out, int n, const Kernels::Outputs& outputs, std::int32_t face) const {
-    std::int32_t first[kBlocks<D>];
-    if (outputs.each != nullptr) {
-      for (int k = 0; k < kBlocks<D>; ++k) first[k] = outputs.each[face + k];
+    constexpr std::int32_t kLast = kBlocks<D> - 1;
+    const std::int32_t* const each = outputs.each + face;
+    if (outputs.each == nullptr) {
+      putRow(d, out, n, place(outputs.first + face * n, kBlocks<D> * n));
+    } else if (each[kLast] == each[0] + kLast * n) {
+      putRow(d, out, n, place(each[0], kBlocks<D> * n));
     } else {
-      for (int k = 0; k < kBlocks<D>; ++k) first[k] = outputs.first + (face + k) * n;
+      putApart(d, out, n, each);
     }
-    putFaces(d, out, n, first);
   }
 
  private:
-  HWY_INLINE std::int64_t stride() const { return kPacked > 0 ? kPacked : stride_; }
+  // Known to the compiler only where points overlap: it puts stores that can't out of order, and processors take two at
+  // a time only to the same cache line. Measured for xyzw: 8 % slower.
+  HWY_INLINE std::int64_t stride() const { return kPacked == 3 ? 3 : stride_; }
 
   HWY_INLINE float* place(std::int32_t output, int points) const {
     float* const p = data_ + output * stride();
@@ -125,15 +129,26 @@ class Sink {
     return p;
   }
 
-  /// Block k of out[..] to point first[k] and those behind it. What is behind the last point of a face stays untouched:
-  /// it may be another thread's.
+  /// What is behind the last point stays untouched: it may be another thread's.
   template <int k = 0, class D>
-  HWY_INLINE void putFaces(D d, const hn::Vec<D>* out, int n, const std::int32_t* first) const {
-    float* const p = place(first[k], n);
+  HWY_INLINE void putRow(D d, const hn::Vec<D>* out, int n, float* p) const {
+    constexpr bool kEnds = k + 1 == kBlocks<D>;
+    putFace<k>(d, out, n, p, kEnds);
+    if constexpr (!kEnds) putRow<k + 1>(d, out, n, p + n * stride());
+  }
+
+  template <int k = 0, class D>
+  HWY_INLINE void putApart(D d, const hn::Vec<D>* out, int n, const std::int32_t* each) const {
+    putFace<k>(d, out, n, place(each[k], n), true);
+    if constexpr (k + 1 < kBlocks<D>) putApart<k + 1>(d, out, n, each);
+  }
+
+  /// Block k of out[..] to p and behind it.
+  template <int k, class D>
+  HWY_INLINE void putFace(D d, const hn::Vec<D>* out, int n, float* p, bool ends) const {
     HWY_UNROLL(8)
     for (int i = 0; i + 1 < n; ++i) putPoint(blockOf<k>(d, out[i]), p + i * stride(), false);
-    putPoint(blockOf<k>(d, out[n - 1]), p + (n - 1) * stride(), true);
-    if constexpr (k + 1 < kBlocks<D>) putFaces<k + 1>(d, out, n, first);
+    putPoint(blockOf<k>(d, out[n - 1]), p + (n - 1) * stride(), ends);
   }
 
   HWY_INLINE void putPoint(BlockVector v, float* p, bool last) const {

@@ -27,6 +27,7 @@ using Kernels::kTileStride;
 using Kernels::StageTarget;
 
 using Wide = HWY_CAPPED(float, 16);
+constexpr int kWideBlocks = kBlocks<Wide>;
 
 constexpr int kMostStages = Far::kMaxLevels + 1;
 
@@ -49,10 +50,11 @@ struct StepFaces {
   }
 };
 
-/// Points of the faces of a vector, `face` and those behind it, to where the tile keeps them.
-template <class D>
+/// Points of the faces of a vector, `face` and those behind it, to where the tile keeps them: as TilePlaces::fours or
+/// one face behind the other.
+template <bool kFours, class D>
 HWY_INLINE void keep(D d, const hn::Vec<D>* out, int n, const StageTarget& stage, std::int32_t face, float* own) {
-  if (face < stage.fours) {
+  if constexpr (kFours) {
     constexpr std::int32_t kStep = kTileStride * Far::kTileFours;
     const std::int32_t among = face % Far::kTileFours;
     float* p = own + std::size_t{kTileStride} * at(stage.kept + (face - among) * n + among);
@@ -63,23 +65,22 @@ HWY_INLINE void keep(D d, const hn::Vec<D>* out, int n, const StageTarget& stage
   }
 }
 
-template <class D, class Sink>
+template <bool kFours, class D, class Sink>
 HWY_INLINE void storeStage(D d, const hn::Vec<D>* out, int n, const StageTarget& stage, std::int32_t face, float* own,
                            Sink sink) {
-  if (stage.kept >= 0) keep(d, out, n, stage, face, own);
+  if (stage.kept >= 0) keep<kFours>(d, out, n, stage, face, own);
   if (stage.wanted) sink.put(d, out, n, stage.outputs, face);
 }
 
-/// Faces `face`, face + K, .. as long as there are K more, whose matrix is the same at all stages. Returns the first
-/// that is left.
-template <CirculantForm kForm, int N, class D, class Sink>
-HWY_INLINE std::int32_t evolve(D d, const StepFaces& faces, std::int32_t face, Sink sink) {
+/// Faces `face`, face + K, .. as long as there are K more before `end`, whose matrix is the same at all stages. Returns
+/// the first that is left.
+template <CirculantForm kForm, int N, bool kFours, class D, class Sink>
+HWY_INLINE std::int32_t evolve(D d, const StepFaces& faces, std::int32_t face, std::int32_t end, Sink sink) {
   const Circulant<kForm, N, D> kernel(d, faces.weights[0]);
   float* const own = faces.own;
   const StageTarget* const first = faces.targets;
   const StageTarget* const last = first + faces.stages - 1;
   const TilePoint* index = faces.index + at(face) * N;
-  const std::int32_t end = faces.step.count;
   for (; face + kBlocks<D> <= end; face += kBlocks<D>, index += kBlocks<D> * N) {
     hn::Vec<D> p[N];
     hn::Vec<D> out[N];
@@ -87,7 +88,7 @@ HWY_INLINE std::int32_t evolve(D d, const StepFaces& faces, std::int32_t face, S
     for (int i = 0; i < N; ++i) p[i] = loadOwn(d, own, index + i, N);
     for (const StageTarget* stage = first;; ++stage) {
       kernel(p, out);
-      storeStage(d, out, N, *stage, face, own, sink);
+      storeStage<kFours>(d, out, N, *stage, face, own, sink);
       if (stage == last) break;
       HWY_UNROLL(8)
       for (int i = 0; i < N; ++i) p[i] = out[i];
@@ -98,8 +99,9 @@ HWY_INLINE std::int32_t evolve(D d, const StepFaces& faces, std::int32_t face, S
 
 template <CirculantForm kForm, int N, class Sink>
 void facesOfForm(const StepFaces& faces, Sink sink) {
-  const std::int32_t face = evolve<kForm, N>(Wide(), faces, 0, sink);
-  if constexpr (kBlocks < Wide >> 1) evolve<kForm, N>(Block(), faces, face, sink);
+  std::int32_t face = evolve<kForm, N, true>(Wide(), faces, 0, faces.targets[0].fours, sink);
+  face = evolve<kForm, N, false>(Wide(), faces, face, faces.step.count, sink);
+  if constexpr (kWideBlocks > 1) evolve<kForm, N, false>(Block(), faces, face, faces.step.count, sink);
 }
 
 /// Faces of any number of sides, or with weights of their own at each stage: one at a time.
@@ -122,7 +124,11 @@ void facesOfAnyKind(const StepFaces& faces, Sink sink) {
         default:
           circulantAnySides(d, faces.weights[s], p, out, n);
       }
-      storeStage(d, out, n, faces.targets[s], face, faces.own, sink);
+      if (face < faces.targets[s].fours) {
+        storeStage<true>(d, out, n, faces.targets[s], face, faces.own, sink);
+      } else {
+        storeStage<false>(d, out, n, faces.targets[s], face, faces.own, sink);
+      }
       for (int i = 0; i < n; ++i) p[i] = out[i];
     }
   }

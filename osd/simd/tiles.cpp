@@ -72,7 +72,7 @@ HWY_INLINE std::int32_t someDenseRows(D d, const DenseRows& rows, std::int32_t r
 template <int N, class Sink>
 void denseRowsOf(const DenseRows& rows, Sink sink) {
   const std::int32_t row = someDenseRows<N>(Wide(), rows, 0, sink);
-  if constexpr (kBlocks < Wide >> 1) someDenseRows<N>(Block(), rows, row, sink);
+  if constexpr (kWideBlocks > 1) someDenseRows<N>(Block(), rows, row, sink);
 }
 
 template <class Sink>
