@@ -9,6 +9,7 @@
 
 #include "io/scene/assimp_import.h"
 #include "io/scene/scene_format.h"
+#include "io/scene/trial.h"
 
 namespace honeycomb::Io {
 namespace {
@@ -41,6 +42,18 @@ Result<SceneData> convertScene(const std::filesystem::path& path, const aiScene&
   return std::move(conversion.data);
 }
 
+/// Nothing that would join, split or limit what is in the file.
+constexpr unsigned kAsItStands = 0;
+
+/// Can Assimp read the file without harm? glTF is checked for what it doesn't survive; damaged files of other formats
+/// have been seen to crash it, or to keep it for ever, so that they are tried first.
+Result<void> checkReading(const std::filesystem::path& path) {
+  if (const Result<void> sound = checkSceneFile(path); !sound) return sound;
+  const std::string extension = lowerExtension(path);
+  if (extension == ".gltf" || extension == ".glb") return {};
+  return tryReading(path, [&path] { Assimp::Importer().ReadFile(path.string(), kAsItStands); });
+}
+
 /// Assimp's messages, made fit for one line.
 std::string oneLine(std::string text) {
   std::replace_if(
@@ -51,11 +64,10 @@ std::string oneLine(std::string text) {
 }  // namespace
 
 Result<SceneData> importScene(const std::filesystem::path& path) {
-  if (const Result<void> sound = checkSceneFile(path); !sound) return tl::unexpected(sound.error());
+  if (const Result<void> safe = checkReading(path); !safe) return tl::unexpected(safe.error());
   try {
     Assimp::Importer importer;
-    // Nothing that would join, split or limit what is in the file; empty curves of FBX are left out.
-    const aiScene* scene = importer.ReadFile(path.string(), 0);
+    const aiScene* scene = importer.ReadFile(path.string(), kAsItStands);
     if (scene) return convertScene(path, *scene);
     return fail(ErrorCode::invalidFile, fmt::format("{}: can't be understood: {}; export it anew", path.string(),
                                                     oneLine(importer.GetErrorString())));

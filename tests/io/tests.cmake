@@ -41,6 +41,7 @@ if(TARGET assimp::assimp)
     SOURCES
       io/scene/assimp_models_test.cpp
       io/scene/scene_test.cpp
+      io/scene/trial_test.cpp
       io/scene/weld_test.cpp
     LIBRARIES honeycomb::io nlohmann_json::nlohmann_json)
 endif()

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -112,6 +115,21 @@ TEST_F(AssimpModels, FbxAndColladaCharactersWeldToClosedMeshes) {
     EXPECT_EQ(topology->eulerCharacteristic(), 2) << name;
     ASSERT_TRUE(character.frames) << name;
     EXPECT_NE(frame(character, 0), frame(character, character.frames->info().frameCount - 1)) << name;
+  }
+}
+
+TEST_F(AssimpModels, DamagedColladaIsReadOrRefused) {
+  std::ifstream file(path("Collada/box_nested_animation.dae"), std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(file), {}};
+  const TemporaryFolder folder;
+  std::mt19937 random(5);
+  for (int damage = 0; damage < 60; ++damage) {
+    std::string bytes = whole;
+    for (int i = 0; i < 3; ++i) bytes[random() % bytes.size()] = static_cast<char>(random() % 128);
+    std::ofstream(folder / "box.dae", std::ios::binary) << bytes;
+    const Result<Scene> scene = Scene::open(folder / "box.dae");
+    if (scene) continue;
+    EXPECT_THAT(scene.error().message, HasSubstr("box.dae")) << damage;
   }
 }
 
