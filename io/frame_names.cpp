@@ -27,8 +27,16 @@ std::optional<FrameNames> FrameNames::parse(const std::filesystem::path& path) {
   return FrameNames(path.parent_path(), name.substr(0, percent), end + 1, width);
 }
 
-std::filesystem::path FrameNames::operator()(std::int64_t frame) const {
-  return folder_ / fmt::format("{}{:0{}}{}", before_, frame, width_, after_);
+std::string FrameNames::name(std::int64_t frame) const {
+  return fmt::format("{}{:0{}}{}", before_, frame, width_, after_);
+}
+
+std::optional<std::int64_t> FrameNames::frameOf(const std::string& name) const {
+  if (name.size() <= before_.size() + after_.size()) return std::nullopt;
+  const char* end = name.data() + name.size() - after_.size();
+  std::int64_t frame = 0;
+  if (std::from_chars(name.data() + before_.size(), end, frame).ptr != end || frame < 0) return std::nullopt;
+  return this->name(frame) == name ? std::optional(frame) : std::nullopt;
 }
 
 }  // namespace honeycomb::Io

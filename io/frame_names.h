@@ -14,7 +14,11 @@ class FrameNames {
   /// other, so that a name with a percent sign is a name.
   static std::optional<FrameNames> parse(const std::filesystem::path& path);
 
-  std::filesystem::path operator()(std::int64_t frame) const;
+  std::filesystem::path operator()(std::int64_t frame) const { return folder_ / name(frame); }
+  /// Without the folder.
+  std::string name(std::int64_t frame) const;
+  /// The frame whose name this is, without a folder; nothing, where it is none's.
+  std::optional<std::int64_t> frameOf(const std::string& name) const;
 
  private:
   FrameNames(std::filesystem::path folder, std::string before, std::string after, int width)

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "far/base/index.h"
+#include "io/frame_names.h"
 #include "io/mesh_sequence.h"
 
 namespace honeycomb::Io {
@@ -19,27 +20,6 @@ constexpr std::int64_t kMissingNamed = 5;  // in a message
 
 bool isDigit(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
-/// "frame_%04d.obj" taken apart.
-struct NumberPattern {
-  std::string before;
-  std::string after;
-  std::size_t width = 0;
-
-  std::string name(std::int64_t number) const { return fmt::format("{}{:0{}}{}", before, number, width, after); }
-};
-
-std::optional<NumberPattern> numberPattern(const std::string& name) {
-  for (std::size_t i = name.find('%'); i != std::string::npos; i = name.find('%', i + 1)) {
-    std::size_t end = i + 1;
-    while (end < name.size() && isDigit(name[end])) ++end;
-    if (end == name.size() || name[end] != 'd' || end - i > 3) continue;
-    NumberPattern pattern{name.substr(0, i), name.substr(end + 1), 0};
-    if (end > i + 1) std::from_chars(name.data() + i + 1, name.data() + end, pattern.width);
-    return pattern;
-  }
-  return std::nullopt;
 }
 
 bool isGlob(const std::string& name) {
@@ -65,16 +45,6 @@ struct NumberedFile {
     width = end - begin;
   }
 };
-
-/// The number in a name that a pattern makes, if it makes it.
-std::optional<std::int64_t> numberOf(const NumberPattern& pattern, const std::string& name) {
-  if (name.size() <= pattern.before.size() + pattern.after.size()) return std::nullopt;
-  const char* begin = name.data() + pattern.before.size();
-  const char* end = name.data() + name.size() - pattern.after.size();
-  std::int64_t number = 0;
-  if (!isDigit(*begin) || std::from_chars(begin, end, number).ptr != end) return std::nullopt;
-  return pattern.name(number) == name ? std::optional(number) : std::nullopt;
-}
 
 Result<std::vector<std::string>> listFolder(const std::filesystem::path& folder) {
   std::error_code error;
@@ -110,11 +80,11 @@ Result<void> checkGaps(const std::filesystem::path& pattern, const std::vector<s
                   missing == 1 ? "frame of the sequence is" : "frames of the sequence are", list, more ? ", .." : ""));
 }
 
-Result<std::vector<std::string>> patternFiles(const std::filesystem::path& path, const NumberPattern& pattern,
+Result<std::vector<std::string>> patternFiles(const std::filesystem::path& path, const FrameNames& pattern,
                                               const std::vector<std::string>& names) {
   std::vector<std::int64_t> numbers;
   for (const std::string& name : names)
-    if (const auto number = numberOf(pattern, name)) numbers.push_back(*number);
+    if (const auto number = pattern.frameOf(name)) numbers.push_back(*number);
   std::sort(numbers.begin(), numbers.end());
   const auto name = [&pattern](std::int64_t number) { return pattern.name(number); };
   if (const auto whole = checkGaps(path, numbers, name); !whole) return tl::unexpected(whole.error());
@@ -151,14 +121,14 @@ Result<std::vector<std::string>> globFiles(const std::filesystem::path& path, co
 bool isSequence(const std::filesystem::path& pattern) {
   const std::string name = pattern.filename().string();
   std::error_code ignored;
-  return (numberPattern(name) || isGlob(name)) && !std::filesystem::exists(pattern, ignored);
+  return (FrameNames::parse(name) || isGlob(name)) && !std::filesystem::exists(pattern, ignored);
 }
 
 Result<std::vector<std::filesystem::path>> sequenceFiles(const std::filesystem::path& pattern) {
   const std::filesystem::path folder = pattern.has_parent_path() ? pattern.parent_path() : ".";
   const Result<std::vector<std::string>> names = listFolder(folder);
   if (!names) return tl::unexpected(names.error());
-  const auto numbered = numberPattern(pattern.filename().string());
+  const auto numbered = FrameNames::parse(pattern);
   const auto files = numbered ? patternFiles(pattern, *numbered, *names) : globFiles(pattern, *names);
   if (!files) return tl::unexpected(files.error());
   if (files->empty())

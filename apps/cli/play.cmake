@@ -12,7 +12,6 @@ target_sources(honeycomb_cli PRIVATE
   play/live_options.cpp
   play/options.cpp
   play/orbit.cpp
-  play/picture_names.cpp
   play/player.cpp
   play/stage.cpp
   play/surface.cpp

@@ -10,11 +10,11 @@
 #include "apps/cli/json_text.h"
 #include "apps/cli/play/backend_choice.h"
 #include "apps/cli/play/options.h"
-#include "apps/cli/play/picture_names.h"
 #include "apps/cli/play/video_pipe.h"
 #include "apps/cli/progress.h"
 #include "apps/viewer/contact_sheet.h"
 #include "far/base/stopwatch.h"
+#include "io/frame_names.h"
 #include "io/png.h"
 
 namespace honeycomb::Cli::Play {
@@ -90,7 +90,7 @@ class Output {
   static Result<Output> open(const Show& show) {
     Output output;
     output.path_ = show.command.output;
-    output.names_ = PictureNames::parse(output.path_);
+    output.names_ = Io::FrameNames::parse(output.path_);
     if (!isVideo(output.path_)) {
       if (show.pictureCount() > 1 && !output.path_.empty() && !output.names_)
         return fail(ErrorCode::invalidOption,
@@ -112,7 +112,7 @@ class Output {
 
  private:
   std::filesystem::path path_;
-  std::optional<PictureNames> names_;
+  std::optional<Io::FrameNames> names_;
   std::unique_ptr<VideoPipe> video_;
 };
 

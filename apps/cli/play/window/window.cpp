@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "apps/cli/play/comparison.h"
-#include "apps/cli/play/picture_names.h"
 #include "apps/cli/play/window/glfw.h"
+#include "io/frame_names.h"
 #include "io/png.h"
 
 namespace honeycomb::Cli::Play {
@@ -215,7 +215,7 @@ Result<void> Window::recover(const Error& error) {
 
 void Window::writePicture() {
   player_.screenshotWanted = false;
-  const auto names = PictureNames::parse(pictureNames_);
+  const auto names = Io::FrameNames::parse(pictureNames_);
   std::filesystem::path path = pictureNames_;
   for (std::int64_t i = 0; names && i < kMostPictures; ++i) {
     path = (*names)(i);
