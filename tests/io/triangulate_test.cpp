@@ -65,7 +65,7 @@ TEST(Triangulate, ConcaveFacesAreCoveredOnce) {
 TEST(Triangulate, AQuadIsCutAlongItsShorterDiagonal) {
   const std::vector<float> kite{0, 0, 0, 4, -1, 0, 8, 0, 0, 4, 1, 0};
   const Corners corners = cutFace(kite);
-  for (std::size_t t = 0; t < 6; t += 3)
+  for (std::ptrdiff_t t = 0; t < 6; t += 3)
     EXPECT_EQ(std::count(corners.begin() + t, corners.begin() + t + 3, 1) +
                   std::count(corners.begin() + t, corners.begin() + t + 3, 3),
               2);
