@@ -1,10 +1,15 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "apps/viewer/picture.h"
 
 namespace honeycomb::Test {
+
+/// For the program's environment: Mesa's software rasteriser leaks with every graphics pipeline it compiles, and is
+/// unloaded before the program ends, so that the leak checker can't pass over it by name.
+inline const std::pair<std::string, std::string> kLeaksOfDrivers{"ASAN_OPTIONS", "detect_leaks=0"};
 
 /// A PNG's pixels; empty where it can't be read.
 Viewer::Picture readPng(const std::string& path);

@@ -2,6 +2,7 @@
 
 #include "apps/cli/play/video_pipe.h"
 #include "tests/cli/workplace.h"
+#include "tests/play/pictures.h"
 
 namespace honeycomb::Test {
 namespace {
@@ -19,7 +20,7 @@ class VideoTest : public Workplace {
   Outcome play(const std::string& output) const {
     return run(
         {"play", cube, "--headless", "--levels", "1", "--size", "64x40", "--turntable", "15", "--output", output},
-        {.environment = {{"PATH", path("bin")}}});
+        {.environment = {{"PATH", path("bin")}, kLeaksOfDrivers}});
   }
 
   std::string cube = file("cube.obj", cubeObj());
