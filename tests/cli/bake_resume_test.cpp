@@ -116,7 +116,7 @@ TEST_F(BakeResumeTest, InterruptedItKeepsWhatItHas) {
 TEST_F(BakeResumeTest, AnotherCommandStartsAnew) {
   const std::string whole = uninterrupted(".pc2");
   for (const std::vector<std::string>& other :
-       {std::vector<std::string>{"--tension", "sqrt3"}, {"--frames", "1:150"}, {"--order", "spatial"}}) {
+       {std::vector<std::string>{"--tension", "sqrt3"}, {"--frames", "1:"}, {"--order", "spatial"}}) {
     stopHalfWay("out.pc2", SIGKILL, other);
     EXPECT_EQ(finish(bake("out.pc2")).at("frames_resumed"), 0) << other[0];
     EXPECT_TRUE(read("out.pc2") == whole) << other[0];

@@ -17,7 +17,7 @@ Result<Viewer::Buffer> bufferFor(const Viewer::Renderer& renderer, std::int64_t 
 }
 
 void copy(std::span<const float> numbers, const Viewer::Buffer& buffer) {
-  std::memcpy(buffer.mapped, numbers.data(), numbers.size_bytes());
+  if (!numbers.empty()) std::memcpy(buffer.mapped, numbers.data(), numbers.size_bytes());
 }
 
 }  // namespace
