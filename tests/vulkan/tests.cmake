@@ -34,6 +34,7 @@ foreach(name IN ITEMS tiles_test tile_normals_test tile_frames_test)
   honeycomb_test(vulkan_${name}
     LABELS vulkan
     SHARDS 4
+    TWINS "TilesTest.OfPointsOfAnyLengthAndStride:TilesTest.OfFacesWithAnyNumberOfSides:*/Fast"
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/${name}.cpp ${CMAKE_CURRENT_LIST_DIR}/lsan_suppressions.cpp
     LIBRARIES honeycomb_vulkan_test_support honeycomb::osd_vulkan honeycomb::test_support)
 endforeach()
