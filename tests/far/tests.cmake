@@ -63,6 +63,7 @@ target_compile_definitions(honeycomb_test_support PRIVATE HONEYCOMB_TEST_DATA="$
 
 honeycomb_test(far_tests
   SHARDS 8
+  TWINS "Stencils.ArePositive*:Stencils.StayIn*:Stencils.Commute*:ZipAgainstReference.DropOn*:Counts.EulersCharacteristic*"
   SOURCES ${honeycomb_far_tests}
   LIBRARIES honeycomb::test_support honeycomb::far honeycomb::osd honeycomb::io)
 
