@@ -16,13 +16,7 @@ class SystemBlockFile : public BlockFile {
   SystemBlockFile(FileDescriptor file, std::filesystem::path name) : file_(std::move(file)), name_(std::move(name)) {}
 
   Result<void> writeAt(std::int64_t offset, std::span<const std::byte> bytes) override {
-    while (!bytes.empty()) {
-      const ssize_t written = ::pwrite(file_.get(), bytes.data(), bytes.size(), offset);
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) return failSystem(ErrorCode::unwritable, name_, errno);
-      bytes = bytes.subspan(static_cast<std::size_t>(written));
-      offset += written;
-    }
+    if (!writeAllAt(file_.get(), offset, bytes)) return failSystem(ErrorCode::unwritable, name_, errno);
     return {};
   }
   Result<void> close() override {

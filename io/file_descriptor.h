@@ -2,6 +2,10 @@
 
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <utility>
 
 namespace honeycomb::Io {
@@ -29,5 +33,17 @@ class FileDescriptor {
  private:
   int fd_ = -1;
 };
+
+/// Writes all of the bytes at `offset`; false, with errno set, when the system doesn't take them.
+inline bool writeAllAt(int fd, std::int64_t offset, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::pwrite(fd, bytes.data(), bytes.size(), offset);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(n));
+    offset += n;
+  }
+  return true;
+}
 
 }  // namespace honeycomb::Io

@@ -29,6 +29,17 @@ Result<void> checkFrame(std::string_view name, std::int32_t f, const FrameInfo& 
               fmt::format("{}: has no frame {}; name one of 0 to {}", name, f, info.frameCount - 1));
 }
 
+// Divides rather than multiplies: points x frames of a hostile header pass 64 bits.
+Result<void> checkWhole(std::string_view name, const FrameInfo& info, std::size_t bytes) {
+  const std::size_t whole = bytes / (3 * sizeof(float) * static_cast<std::size_t>(info.pointCount));
+  if (whole >= static_cast<std::size_t>(info.frameCount)) return {};
+  return fail(ErrorCode::invalidFile,
+              fmt::format("{}: is cut off within frame {} (counted from 0) of {} frames of {} points; export the cache "
+                          "again or copy it whole",
+                          name, whole, info.frameCount, info.pointCount),
+              static_cast<std::int64_t>(whole));
+}
+
 Result<void> checkFinite(std::string_view name, std::int64_t frame, std::span<const float> points) {
   const std::ptrdiff_t wrong = findNotFinite(points);
   if (wrong < 0) return {};

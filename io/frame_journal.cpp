@@ -44,17 +44,6 @@ ssize_t readAt(int fd, std::int64_t offset, std::span<std::byte> bytes) {
   return static_cast<ssize_t>(done);
 }
 
-bool writeAllAt(int fd, std::int64_t offset, std::span<const std::byte> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::pwrite(fd, bytes.data(), bytes.size(), offset);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(n));
-    offset += n;
-  }
-  return true;
-}
-
 // Some file systems have no locks; there the user has to know.
 bool locksOthersOut(int fd) {
   return ::flock(fd, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;

@@ -75,16 +75,6 @@ struct MddReader::Mapping {
   std::size_t frameBegin(std::int32_t f) const {
     return kMddHeaderBytes + 4 * at(info.frameCount) + at(f) * 4 * floats();
   }
-  // Divides rather than multiplies: points x frames of a hostile header pass 64 bits.
-  Result<void> checkWhole() const {
-    const std::size_t whole = (file.bytes().size() - frameBegin(0)) / (4 * floats());
-    if (whole >= at(info.frameCount)) return {};
-    return failMdd(name,
-                   fmt::format("is cut off within frame {} (counted from 0) of {} frames of {} points; export the "
-                               "cache again or copy it whole",
-                               whole, info.frameCount, info.pointCount),
-                   static_cast<std::int64_t>(whole));
-  }
 };
 
 MddReader::MddReader(std::unique_ptr<Mapping> mapping) : mapping_(std::move(mapping)) {}
@@ -99,7 +89,9 @@ Result<MddReader> MddReader::open(const std::filesystem::path& path) {
   if (!info) return tl::unexpected<Error>(info.error());
   file->expectSequentialReads();
   auto mapping = std::make_unique<Mapping>(Mapping{std::move(*file), path.string(), *info});
-  if (const Result<void> whole = mapping->checkWhole(); !whole) return tl::unexpected<Error>(whole.error());
+  const std::size_t bytes = mapping->file.bytes().size() - mapping->frameBegin(0);
+  if (const Result<void> whole = checkWhole(mapping->name, mapping->info, bytes); !whole)
+    return tl::unexpected<Error>(whole.error());
   return MddReader(std::move(mapping));
 }
 

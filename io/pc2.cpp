@@ -62,17 +62,6 @@ Result<FrameInfo> readHeader(std::string_view name, std::span<const std::byte> b
   return FrameInfo{header.points, header.frames, header.start, header.rate, 0};
 }
 
-// Divides rather than multiplies: points x frames of a hostile header pass 64 bits.
-Result<void> checkLength(std::string_view name, const FrameInfo& info, std::size_t fileBytes) {
-  const std::size_t whole = (fileBytes - kHeaderBytes) / frameBytes(info);
-  if (whole >= static_cast<std::size_t>(info.frameCount)) return {};
-  return failFile(name,
-                  fmt::format("is cut off within frame {} (counted from 0) of {} frames of {} points; export the cache "
-                              "again or copy it whole",
-                              whole, info.frameCount, info.pointCount),
-                  static_cast<std::int64_t>(whole));
-}
-
 }  // namespace
 
 struct Pc2Reader::Mapping {
@@ -93,7 +82,7 @@ Result<Pc2Reader> Pc2Reader::open(const std::filesystem::path& path) {
   if (!file) return tl::unexpected<Error>(file.error());
   const Result<FrameInfo> info = readHeader(path.string(), file->bytes());
   if (!info) return tl::unexpected<Error>(info.error());
-  const Result<void> whole = checkLength(path.string(), *info, file->bytes().size());
+  const Result<void> whole = checkWhole(path.string(), *info, file->bytes().size() - kHeaderBytes);
   if (!whole) return tl::unexpected<Error>(whole.error());
   file->expectSequentialReads();
   return Pc2Reader(std::make_unique<Mapping>(Mapping{std::move(*file), path.string(), *info}));
