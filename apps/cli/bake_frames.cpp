@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 
+#include "apps/cli/frame_control.h"
 #include "apps/cli/interrupt.h"
 #include "apps/cli/progress.h"
 #include "apps/cli/surface_options.h"
@@ -16,35 +17,15 @@
 namespace honeycomb::Cli {
 namespace {
 
-/// What turns a frame into control points.
-struct ControlStorage {
-  std::vector<float> frame;    // where the animation has to compute it
-  std::vector<float> control;  // where it isn't the frame as it stands
-};
-
 /// What one frame after another works with; nothing is allocated once it is warm.
 struct Slot {
   SurfaceEvaluator& evaluator;
-  ControlStorage control;
+  FrameStorage control;
   Surface<float> surface;
 };
 
-/// The control points of a frame: its vertices, then central control vertices where they are given.
-Result<std::span<const float>> controlPoints(const BakeFrames& job, std::int32_t f, ControlStorage& storage) {
-  const Result<std::span<const float>> points = job.animation.frames->frame(f, storage.frame);
-  if (!points) return tl::unexpected(inFile(job.animation.file, points.error()));
-  std::vector<float>& control = storage.control;
-  const std::span<const float> vertices = takeVertices(job.input, *points, control);
-  if (!job.central.given) return vertices;
-  if (vertices.data() != control.data()) control.assign(vertices.begin(), vertices.end());
-  if (!job.central.cache) {
-    appendOffsetPoints(job.input.mesh.polygons, job.central.offsets, control);
-    return control;
-  }
-  const Result<std::span<const float>> central = job.central.cache->frame(f);
-  if (!central) return tl::unexpected(inFile(job.central.file, central.error()));
-  control.insert(control.end(), central->begin(), central->end());
-  return control;
+Result<std::span<const float>> controlPoints(const BakeFrames& job, std::int32_t f, FrameStorage& storage) {
+  return controlPoints(job.input, &job.animation, job.central, f, storage);
 }
 
 Error ofFrame(const BakeFrames& job, std::int32_t frame, Error error) {
@@ -125,7 +106,7 @@ void bakeTasks(Run& run) {
       0, std::ssize(evaluators), [&](std::int64_t i) { bakeOneAfterAnother(run, *evaluators[at(i)]); }, 1);
 }
 
-Result<void> submitFrame(const BakeFrames& job, std::int32_t frame, ControlStorage& storage) {
+Result<void> submitFrame(const BakeFrames& job, std::int32_t frame, FrameStorage& storage) {
   if (interruptSignal() != 0) return fail(ErrorCode::unwritable, "interrupted");
   const Result<std::span<const float>> control = controlPoints(job, frame, storage);
   if (!control) return tl::unexpected(control.error());
@@ -144,7 +125,7 @@ Result<void> collectFrame(const BakeFrames& job, std::int32_t frame, Surface<flo
 /// The oldest frame is collected and written while those behind it are refined. After a frame that can't be sent off,
 /// those before it come first, since one of them may have an error too.
 void bakeStream(Run& run) {
-  ControlStorage control;
+  FrameStorage control;
   Surface<float> surface;
   std::deque<std::int32_t> underWay;
   std::optional<std::int32_t> frame = run.next();

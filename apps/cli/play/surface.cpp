@@ -90,29 +90,7 @@ double PlaySurface::framesPerSecond() const {
 }
 
 Result<std::span<const float>> PlaySurface::control(std::int32_t frame, FrameStorage& storage) const {
-  const MeshInput& input = plan_.mesh.input;
-  std::vector<float>& control = storage.control;
-  std::span<const float> vertices;
-  if (animation_) {
-    const auto points = animation_->frames->frame(frameNumber(frame), storage.frame);
-    if (!points) return tl::unexpected(inFile(animation_->file, points.error()));
-    vertices = takeVertices(input, *points, control);
-  } else {
-    control.assign(input.mesh.positions.begin(), input.mesh.positions.end());
-    vertices = control;
-  }
-  if (!central_.given) return vertices;
-  if (vertices.data() != control.data()) control.assign(vertices.begin(), vertices.end());
-  if (central_.cache) {
-    const auto central = central_.cache->frame(frameNumber(frame));
-    if (!central) return tl::unexpected(inFile(central_.file, central.error()));
-    control.insert(control.end(), central->begin(), central->end());
-  } else if (!central_.positions.empty()) {
-    for (const double number : central_.positions) control.push_back(static_cast<float>(number));
-  } else {
-    appendOffsetPoints<float>(input.mesh.polygons, central_.offsets, control);
-  }
-  return control;
+  return controlPoints(plan_.mesh.input, animation_ ? &*animation_ : nullptr, central_, frameNumber(frame), storage);
 }
 
 Error PlaySurface::ofFrame(std::int32_t frame, Error error) const {

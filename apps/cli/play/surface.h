@@ -7,6 +7,7 @@
 
 #include "apps/cli/animation_input.h"
 #include "apps/cli/central_points.h"
+#include "apps/cli/frame_control.h"
 #include "apps/cli/surface_options.h"
 #include "apps/viewer/camera.h"
 
@@ -16,12 +17,6 @@ namespace honeycomb::Cli::Play {
 struct SurfaceRequest {
   SurfaceOptions surface;
   AnimationOptions animation;
-};
-
-/// What turns a frame into control points.
-struct FrameStorage {
-  std::vector<float> frame;    ///< where the animation has to compute it
-  std::vector<float> control;  ///< where it isn't the frame as it stands
 };
 
 /// A mesh, its animation and its tables: everything that playing needs and that no device has to do with. Immutable.
