@@ -1,11 +1,13 @@
 #include "run_program.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -28,10 +30,15 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
     limit.rlim_cur = static_cast<rlim_t>(options.fileSizeLimit);
     setrlimit(RLIMIT_FSIZE, &limit);
   }
-  std::vector<std::string> command{HONEYCOMB_PROGRAM};
+  std::vector<std::string> command;
   if (options.ranks > 0)
-    command = {HONEYCOMB_MPIRUN, "--allow-run-as-root", "--oversubscribe", "-n", std::to_string(options.ranks),
-               HONEYCOMB_PROGRAM};
+    command = {HONEYCOMB_MPIRUN, "--allow-run-as-root", "--oversubscribe", "-n", std::to_string(options.ranks)};
+  // By way of env: the program alone is meant, not mpirun.
+  if (options.at.signal != 0)
+    command.insert(command.end(),
+                   {"/usr/bin/env", "LD_PRELOAD=" HONEYCOMB_SIGNAL_AT_WRITE,
+                    fmt::format("HONEYCOMB_SIGNAL_AT_WRITE={} {}", options.at.signal, options.at.write)});
+  command.emplace_back(HONEYCOMB_PROGRAM);
   command.insert(command.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : command) argv.push_back(word.data());
@@ -76,6 +83,22 @@ Outcome wait(pid_t child) {
   if (WIFEXITED(status)) outcome.exitCode = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) outcome.signal = WTERMSIG(status);
   return outcome;
+}
+
+bool hasEnded(pid_t child) {
+  siginfo_t ended{};
+  return waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 || ended.si_pid != 0;
+}
+
+bool waitUntilStopped(pid_t child) {
+  siginfo_t changed{};
+  waitid(P_PID, static_cast<id_t>(child), &changed, WSTOPPED | WEXITED | WNOWAIT);
+  return changed.si_code == CLD_STOPPED;
+}
+
+Outcome continueToTheEnd(pid_t child) {
+  while (waitUntilStopped(child)) kill(child, SIGCONT);
+  return wait(child);
 }
 
 bool isOneErrorLine(const std::string& err) {

@@ -5,7 +5,11 @@ add_library(cli_test_support OBJECT
   ${CMAKE_CURRENT_LIST_DIR}/workplace.cpp)
 target_link_libraries(cli_test_support PUBLIC honeycomb_compile honeycomb_sanitize fmt::fmt
                                        PRIVATE honeycomb_warnings GTest::gtest GTest::gmock)
+# Loaded into the program, which has the sanitizers.
+add_library(cli_signal_at_write MODULE ${CMAKE_CURRENT_LIST_DIR}/signal_at_write.cpp)
+target_link_libraries(cli_signal_at_write PRIVATE honeycomb_compile honeycomb_warnings)
 target_compile_definitions(cli_test_support PRIVATE HONEYCOMB_PROGRAM="$<TARGET_FILE:honeycomb>"
+                                                    HONEYCOMB_SIGNAL_AT_WRITE="$<TARGET_FILE:cli_signal_at_write>"
                                                     HONEYCOMB_MPIRUN="${MPIEXEC_EXECUTABLE}")
 
 # The built program, run on real files.
@@ -26,7 +30,7 @@ honeycomb_test(cli_test
     ${CMAKE_CURRENT_LIST_DIR}/refine_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scheme_test.cpp
   LIBRARIES honeycomb::cli cli_test_support nlohmann_json::nlohmann_json)
-add_dependencies(cli_test honeycomb)
+add_dependencies(cli_test honeycomb cli_signal_at_write)
 if(TARGET assimp::assimp)
   target_sources(cli_test PRIVATE ${CMAKE_CURRENT_LIST_DIR}/scene_input_test.cpp)
 endif()
@@ -41,7 +45,7 @@ honeycomb_test(cli_bake_test
     ${CMAKE_CURRENT_LIST_DIR}/bake_tiles_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/../vulkan/lsan_suppressions.cpp
   LIBRARIES honeycomb::cli cli_test_support nlohmann_json::nlohmann_json)
-add_dependencies(cli_bake_test honeycomb)
+add_dependencies(cli_bake_test honeycomb cli_signal_at_write)
 
 if(HONEYCOMB_VULKAN)
   honeycomb_test(cli_vulkan_test
@@ -55,5 +59,5 @@ if(TARGET honeycomb_mpi AND MPIEXEC_EXECUTABLE)
   honeycomb_test(cli_mpi_test
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/mpi_test.cpp
     LIBRARIES cli_test_support nlohmann_json::nlohmann_json)
-  add_dependencies(cli_mpi_test honeycomb)
+  add_dependencies(cli_mpi_test honeycomb cli_signal_at_write)
 endif()
