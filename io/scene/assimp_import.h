@@ -4,8 +4,10 @@
 
 #include <string>
 #include <unordered_map>
+#include <vector>
 
 #include "far/base/result.h"
+#include "io/scene/gltf_curves.h"
 #include "io/scene/scene_data.h"
 
 namespace honeycomb::Io {
@@ -15,6 +17,7 @@ struct SceneConversion {
   std::string file;  ///< for messages
   const aiScene& scene;
   bool targetsAreOffsets = false;  ///< of meshes with the relative method: COLLADA's are, all others' are shapes
+  std::vector<GltfCurve> curves;   ///< that stand in place of what Assimp has
   SceneData data;
   std::unordered_map<std::string, std::int32_t> nodeByName;
 };

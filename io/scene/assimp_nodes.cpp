@@ -149,6 +149,37 @@ Result<void> convertTracks(SceneConversion& conversion, const aiAnimation& anima
   return {};
 }
 
+/// The track of a node, made where there is none.
+template <class Track>
+Track& trackOf(std::vector<Track>& tracks, std::int32_t node) {
+  const auto found = std::find_if(tracks.begin(), tracks.end(), [node](const Track& t) { return t.node == node; });
+  if (found != tracks.end()) return *found;
+  tracks.push_back({});
+  tracks.back().node = node;
+  return tracks.back();
+}
+
+void takeCurve(const GltfCurve& curve, std::int32_t node, Clip& clip) {
+  if (curve.path == GltfPath::weights) {
+    MorphTrack& track = trackOf(clip.morphs, node);
+    track.weights = curve.keys;
+    track.targets = static_cast<std::int32_t>(curve.width);
+    return;
+  }
+  NodeTrack& track = trackOf(clip.tracks, node);
+  Keys& keys = curve.path == GltfPath::translation ? track.translations
+               : curve.path == GltfPath::rotation  ? track.rotations
+                                                   : track.scales;
+  keys = curve.keys;
+}
+
+void takeCurves(const SceneConversion& conversion, std::size_t animation, Clip& clip) {
+  for (const GltfCurve& curve : conversion.curves) {
+    const auto node = conversion.nodeByName.find(curve.node);
+    if (curve.animation == animation && node != conversion.nodeByName.end()) takeCurve(curve, node->second, clip);
+  }
+}
+
 double lastKey(const Clip& clip) {
   double last = 0;
   const auto look = [&last](const Keys& keys) { last = keys.empty() ? last : std::max(last, keys.times.back()); };
@@ -196,6 +227,7 @@ Result<void> convertClips(SceneConversion& conversion) {
     clip.name = animation.mName.length > 0 ? animation.mName.C_Str() : fmt::format("clip {}", a + 1);
     clip.framesPerSecond = animation.mTicksPerSecond > 0 && ticks <= kFastestFrames ? ticks : 0;
     if (const auto tracks = convertTracks(conversion, animation, ticks, clip); !tracks) return tracks;
+    takeCurves(conversion, a, clip);
     clip.seconds = lastKey(clip);
     if (clip.keys > 0) conversion.data.clips.push_back(std::move(clip));
   }

@@ -3,35 +3,22 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <cstring>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "far/base/index.h"
+#include "io/scene/gltf_arrays.h"
 
 namespace honeycomb::Io {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kGlbHeader = 20;  // magic, version, length; the first chunk's length and kind
 constexpr std::int64_t kMostElements = std::int64_t{1} << 31U;
-
-/// The JSON of the file; of a GLB its first chunk.
-std::optional<std::string_view> jsonOf(std::string_view bytes) {
-  if (bytes.substr(0, 4) != "glTF") return bytes;
-  std::uint32_t length = 0;
-  if (bytes.size() < kGlbHeader || bytes.substr(16, 4) != "JSON") return std::nullopt;
-  std::memcpy(&length, bytes.data() + 12, sizeof length);
-  if (length > bytes.size() - kGlbHeader) return std::nullopt;
-  return bytes.substr(kGlbHeader, length);
-}
 
 class GltfChecker {
  public:
-  GltfChecker(std::string_view name, const Json& json) : name_(name), json_(json) {}
+  explicit GltfChecker(const GltfDocument& document) : document_(document) {}
 
   Result<void> run() {
     checkViews();
@@ -41,19 +28,12 @@ class GltfChecker {
     checkSkins();
     checkAnimations();
     if (wrong_.empty()) return {};
-    return fail(ErrorCode::invalidFile, fmt::format("{}: {}; export it anew", name_, wrong_));
+    return fail(ErrorCode::invalidFile, fmt::format("{}: {}; export it anew", document_.path().string(), wrong_));
   }
 
  private:
-  static const Json& member(const Json& object, const char* key) {
-    static const Json none;
-    return object.is_object() && object.contains(key) ? object[key] : none;
-  }
-  const Json& list(const char* key) const {
-    static const Json none = Json::array();
-    const Json& found = member(json_, key);
-    return found.is_array() ? found : none;
-  }
+  static const Json& member(const Json& object, const char* key) { return GltfDocument::member(object, key); }
+  const Json& list(const char* key) const { return document_.list(key); }
   static std::int64_t number(const Json& object, const char* key, std::int64_t otherwise) {
     const Json& value = member(object, key);
     return value.is_number_integer() ? value.get<std::int64_t>() : otherwise;
@@ -86,30 +66,16 @@ class GltfChecker {
     }
   }
 
-  static std::int64_t componentBytes(std::int64_t type) {
-    return type == 5120 || type == 5121 ? 1 : type == 5122 || type == 5123 ? 2 : type == 5125 || type == 5126 ? 4 : 0;
-  }
-  static std::int64_t components(const Json& type) {
-    if (!type.is_string()) return 0;
-    const std::string name = type.get<std::string>();
-    return name == "SCALAR"                   ? 1
-           : name == "VEC2"                   ? 2
-           : name == "VEC3"                   ? 3
-           : name == "VEC4" || name == "MAT2" ? 4
-           : name == "MAT3"                   ? 9
-           : name == "MAT4"                   ? 16
-                                              : 0;
-  }
-
   void checkAccessors() {
     for (std::size_t i = 0; i < list("accessors").size() && wrong_.empty(); ++i) {
       const Json& accessor = list("accessors")[i];
       const std::string where = fmt::format("accessor {}", i);
       const std::int64_t count = number(accessor, "count", 0);
       const std::int64_t size =
-          componentBytes(number(accessor, "componentType", 0)) * components(member(accessor, "type"));
+          gltfComponentBytes(number(accessor, "componentType", 0)) * gltfComponents(member(accessor, "type"));
       expect(size > 0 && count >= 0 && count < kMostElements, where + ": has no known type or no sensible count");
       expectIndex(accessor, "bufferView", "bufferViews", where);
+      checkSparse(accessor, size, where);
       if (!wrong_.empty() || member(accessor, "bufferView").is_null() || count == 0) continue;
       const Json& view = list("bufferViews")[at(number(accessor, "bufferView", 0))];
       const std::int64_t stride = number(view, "byteStride", 0) > 0 ? number(view, "byteStride", 0) : size;
@@ -118,6 +84,27 @@ class GltfChecker {
       expect(stride < 1 << 16 && offset >= 0 && offset <= length && (count - 1) * stride + size <= length - offset,
              where + ": reaches past its bufferView");
     }
+  }
+
+  /// The `bytes` that a part of a sparse accessor needs of its view.
+  void checkSparsePart(const Json& part, std::int64_t bytes, const std::string& where) {
+    expect(isIn("bufferViews", member(part, "bufferView")), where + ": its bufferView is not one of the bufferViews");
+    if (!wrong_.empty()) return;
+    const Json& view = list("bufferViews")[at(number(part, "bufferView", 0))];
+    const std::int64_t offset = number(part, "byteOffset", 0);
+    expect(offset >= 0 && bytes <= number(view, "byteLength", 0) - offset, where + ": reaches past its bufferView");
+  }
+
+  /// `size`: bytes of an element.
+  void checkSparse(const Json& accessor, std::int64_t size, const std::string& where) {
+    const Json& sparse = member(accessor, "sparse");
+    if (!wrong_.empty() || sparse.is_null()) return;
+    const std::int64_t count = number(sparse, "count", 0);
+    const std::int64_t indexSize = gltfComponentBytes(number(member(sparse, "indices"), "componentType", 0));
+    expect(count > 0 && count <= number(accessor, "count", 0) && indexSize > 0,
+           where + ": its sparse part has no sensible count or type");
+    checkSparsePart(member(sparse, "indices"), count * indexSize, where + ", sparse indices");
+    checkSparsePart(member(sparse, "values"), count * size, where + ", sparse values");
   }
 
   std::int64_t countOf(const Json& index) const {
@@ -214,19 +201,14 @@ class GltfChecker {
     }
   }
 
-  std::string_view name_;
-  const Json& json_;
+  const GltfDocument& document_;
   std::string wrong_;
 };
 
 }  // namespace
 
-Result<void> checkGltf(std::string_view name, std::string_view bytes) {
-  const auto text = jsonOf(bytes);
-  const Json json = text ? Json::parse(*text, nullptr, false) : Json(Json::value_t::discarded);
-  if (json.is_discarded() || !json.is_object())
-    return fail(ErrorCode::invalidFile, fmt::format("{}: its JSON can't be understood; export it anew", name));
-  return GltfChecker(name, json).run();
+Result<void> checkGltf(const GltfDocument& document) {
+  return GltfChecker(document).run();
 }
 
 }  // namespace honeycomb::Io

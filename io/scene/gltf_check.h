@@ -1,14 +1,12 @@
 #pragma once
 
-#include <string_view>
-
 #include "far/base/result.h"
+#include "io/scene/gltf_document.h"
 
 namespace honeycomb::Io {
 
-/// Is a glTF 2 file (its JSON, or a GLB) one that Assimp 5.2 reads without reading past its arrays: do all numbers of
-/// nodes, meshes, accessors, views and buffers name what is there, and have skins as many matrices as joints? `name`
-/// stands for the file in messages. Errors: invalidFile.
-Result<void> checkGltf(std::string_view name, std::string_view bytes);
+/// Is it a file that Assimp 5.2 reads without reading past its arrays: do all numbers of nodes, meshes, accessors,
+/// views and buffers name what is there, and have skins as many matrices as joints? Errors: invalidFile.
+Result<void> checkGltf(const GltfDocument& document);
 
 }  // namespace honeycomb::Io

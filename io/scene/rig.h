@@ -8,10 +8,18 @@
 
 namespace honeycomb::Io {
 
+/// What is between two keys.
+enum class Interpolation {
+  linear,  ///< of rotations: the great arc
+  step,    ///< the former of the two
+  cubic    ///< Hermite's, by tangents of each key
+};
+
 /// Values at moments: `width` numbers a key.
 struct Keys {
   std::vector<double> times;   ///< seconds, ascending
-  std::vector<double> values;  ///< width x times
+  std::vector<double> values;  ///< width x times; cubic: of each key the tangent before it, the value, the one behind
+  Interpolation interpolation = Interpolation::linear;
 
   bool empty() const { return times.empty(); }
 };
@@ -24,6 +32,9 @@ struct KeyPlace {
   double share = 0;
 };
 KeyPlace findKey(const std::vector<double>& times, double seconds);
+
+/// Number i of the `width` that keys have at a place among them, each number for itself.
+double numberAt(const Keys& keys, std::size_t width, std::size_t i, const KeyPlace& place);
 
 /// How a clip moves one node; what has no keys stays as the node has it.
 struct NodeTrack {
@@ -56,8 +67,8 @@ struct RigNode {
   Placement placement;       ///< the same in parts, as far as it has such
 };
 
-/// Each node's map to the space of the scene: as a clip has it at a moment, or (null) as the nodes stand. Translations
-/// and scales are interpolated linearly, rotations on the shortest great arc. Linear in nodes.
+/// Each node's map to the space of the scene: as a clip has it at a moment, or (null) as the nodes stand. Linear
+/// in nodes.
 std::vector<Transform> placeNodes(const std::vector<RigNode>& nodes, const Clip* clip, double seconds);
 
 }  // namespace honeycomb::Io

@@ -32,7 +32,8 @@ struct SceneData {
   std::vector<double> texcoords;  ///< u v per vertex; 0 0 in parts that have none
   std::vector<double> colours;    ///< r g b per vertex; white in parts that have none
   std::vector<ScenePart> parts;
-  std::vector<std::string> notes;  ///< what the file has and is left out
+  std::vector<std::string> notes;            ///< what the file has and is left out
+  std::vector<std::filesystem::path> files;  ///< that it is read from besides its own, there or not
 };
 
 /// Reads a scene with Assimp. Errors: unsupported, where the library was built without it; those of Scene::open.

@@ -30,11 +30,8 @@ std::vector<double> morphWeights(const Skin& skin, const Clip* clip, double seco
     if (!clip) continue;
     for (const MorphTrack& track : clip->morphs) {
       if (track.node != target.node || target.index >= track.targets || track.weights.empty()) continue;
-      const KeyPlace place = findKey(track.weights.times, seconds);
-      const auto weight = [&](std::size_t key) {
-        return track.weights.values[key * at(track.targets) + at(target.index)];
-      };
-      weights.back() = (1 - place.share) * weight(place.before) + place.share * weight(place.after);
+      weights.back() =
+          numberAt(track.weights, at(track.targets), at(target.index), findKey(track.weights.times, seconds));
     }
   }
   return weights;

@@ -40,6 +40,7 @@ if(TARGET assimp::assimp)
     LABELS threads
     SOURCES
       io/scene/assimp_models_test.cpp
+      io/scene/interpolation_test.cpp
       io/scene/lsan_suppressions.cpp
       io/scene/scene_test.cpp
       io/scene/trial_test.cpp

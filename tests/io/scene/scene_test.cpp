@@ -174,6 +174,8 @@ TEST_F(CharacterFile, WhatIsWrongIsNamed) {
   EXPECT_THAT(refusalOf(R"("children":[2])", R"("children":[1])"), HasSubstr("has another parent"));
   EXPECT_THAT(refusalOf(R"("meshes":[)", R"("mushes":[)"), HasSubstr("node 0: its mesh is not one of the meshes"));
   EXPECT_THAT(refusalOf(R"("count":36)", R"("count":37)"), HasSubstr("accessor 0: reaches past its bufferView"));
+  EXPECT_THAT(refusalOf(R"("type":"VEC3"})", R"("type":"VEC3","sparse":{}})"),
+              HasSubstr("accessor 0: its sparse part"));
   EXPECT_THAT(refusalOf(R"({"asset")", R"(["asset")"), HasSubstr("its JSON can't be understood"));
   writeBytes(path(), "v 0 0 0");
   EXPECT_THAT(Scene::open(path()).error().message, HasSubstr("begins as no .gltf file does"));
