@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "apps/cli/choice.h"
+#include "apps/cli/chain.h"
 #include "apps/cli/formats.h"
 #include "apps/cli/mesh_output.h"
 #include "io/glb_writer.h"

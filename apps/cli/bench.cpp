@@ -37,7 +37,7 @@ Error ofMesh(const Setup& setup, Error error) {
 }
 
 Result<SchemeChain> chainOf(const Setup& setup, const ChainRequest& request) {
-  Result<SchemeChain> chain = makeChain(request, setup.command.scheme, setup.topology, availableMemory());
+  Result<SchemeChain> chain = makeChain(request, setup.command.scheme, setup.topology, checkChain);
   if (!chain) return tl::unexpected(ofMesh(setup, chain.error()));
   const RunShape shape{kFrames, kBytesPerNumber, setup.plan.normals != Bench::Normals::none, false};
   std::vector<LevelSize> sizes = predictSizes(setup.topology, *chain, shape);

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "apps/cli/bench_options.h"
-#include "apps/cli/choice.h"
+#include "apps/cli/chain.h"
 #include "apps/cli/console.h"
 #include "apps/cli/memory.h"
 #include "apps/cli/mesh_input.h"
@@ -32,7 +32,7 @@ Result<Bench::Mesh> readBenchMesh(const std::string& file, const BenchCommand& c
                 fmt::format("--faces {}: {} has the faces it has; leave --faces out", *command.faces, file));
   Result<MeshInput> input = readMesh(file, {});
   if (!input) return tl::unexpected(input.error());
-  if (keepsCorners(command.scheme)) tagCorners(input->mesh.polygons);
+  tagCorners(command.scheme, input->mesh.polygons);
   if (const auto valid = makeTopology(*input); !valid) return tl::unexpected(valid.error());
   return Bench::Mesh{file, std::move(input->mesh.polygons), std::move(input->mesh.positions)};
 }

@@ -7,10 +7,10 @@
 #include <array>
 #include <charconv>
 
-#include "apps/cli/choice.h"
+#include "apps/cli/chain.h"
 #include "apps/cli/console.h"
 #include "apps/cli/formats.h"
-#include "apps/cli/words.h"
+#include "apps/cli/scheme_flags.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -96,7 +96,7 @@ void BenchCommand::addTo(CLI::App& subcommand) {
   subcommand.add_option("IN", input, "Mesh (.obj); without it one is made");
   addMeshOptions(subcommand, *this);
   subcommand.add_option("--levels", levels, "Levels to measure, as in 3,4")->default_str(std::string(kUsualLevels));
-  scheme.addTo(subcommand);
+  addSchemeFlags(subcommand, scheme);
   subcommand.add_option("--evaluators", evaluators, "Which, as in serial,tbb: all, " + names(Bench::evaluators()))
       ->capture_default_str();
   subcommand.add_option("--layouts", layouts, "Numbers of a point: " + names(Bench::layouts()))->capture_default_str();

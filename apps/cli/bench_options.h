@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/cli/scheme_chain.h"
-#include "apps/cli/scheme_options.h"
+#include "apps/cli/chain.h"
 #include "bench/kit/comparison.h"
 #include "bench/kit/meshes.h"
 

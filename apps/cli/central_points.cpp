@@ -7,7 +7,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "apps/cli/schemes.h"
+#include "apps/cli/chain.h"
 #include "far/base/index.h"
 #include "far/base/parallel.h"
 #include "io/obj_points.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/cli/chain.h"
 #include "apps/cli/mesh_input.h"
-#include "apps/cli/scheme_options.h"
 #include "far/base/result.h"
 #include "io/pc2.h"
 

@@ -7,7 +7,7 @@ namespace honeycomb::Cli {
 
 Result<ControlMesh> prepareControl(MeshInput input, const SchemeOptions& options, const ChainRequest& request,
                                    Far::FaceOrder order) {
-  if (keepsCorners(options)) tagCorners(input.mesh.polygons);
+  tagCorners(options, input.mesh.polygons);
   Result<Far::Topology> topology = makeTopology(input, order);
   if (!topology) return tl::unexpected(topology.error());
   if (order == Far::FaceOrder::spatial) {
@@ -15,7 +15,7 @@ Result<ControlMesh> prepareControl(MeshInput input, const SchemeOptions& options
     topology = makeTopology(input, order);
     if (!topology) return tl::unexpected(topology.error());
   }
-  Result<SchemeChain> chain = makeChain(request, options, *topology, availableMemory());
+  Result<SchemeChain> chain = makeChain(request, options, *topology, checkChain);
   if (chain) return ControlMesh{std::move(input), std::move(*topology), std::move(*chain)};
   // Options are wrong whatever the mesh, unless an element of it is named.
   const Error& error = chain.error();

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "apps/cli/chain.h"
 #include "apps/cli/mesh_input.h"
-#include "apps/cli/scheme_chain.h"
 #include "far/topology/topology.h"
 
 namespace honeycomb::Cli {

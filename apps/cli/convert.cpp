@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "apps/cli/choice.h"
+#include "apps/cli/chain.h"
 #include "apps/cli/commands.h"
 #include "apps/cli/converted_primvars.h"
 #include "apps/cli/formats.h"

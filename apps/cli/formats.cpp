@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "apps/cli/choice.h"
+#include "apps/cli/chain.h"
 #include "io/mdd.h"
 #include "io/pc2.h"
 #include "io/ply.h"

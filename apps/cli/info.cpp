@@ -7,6 +7,7 @@
 #include "apps/cli/formats.h"
 #include "apps/cli/info_machine.h"
 #include "apps/cli/info_report.h"
+#include "apps/cli/scheme_flags.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -56,7 +57,7 @@ void addInfo(CLI::App& app, Command& command) {
   subcommand->add_option("IN", options->input, "Mesh: " + meshInputNames());
   subcommand->add_option("--levels", options->levels, "Levels to predict; of a chain, their sum")
       ->default_str(std::to_string(kDefaultLevels));
-  options->scheme.addTo(*subcommand);
+  addSchemeFlags(*subcommand, options->scheme);
   addReadOptions(*subcommand, options->read);
   addSessionOptions(*subcommand, command.session);
   subcommand->callback(

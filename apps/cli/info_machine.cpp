@@ -5,12 +5,11 @@
 #include <fstream>
 #include <iterator>
 
-#include "apps/cli/choice.h"
+#include "apps/cli/chain.h"
 #include "apps/cli/console.h"
 #include "apps/cli/devices.h"
 #include "apps/cli/json_text.h"
 #include "apps/cli/memory.h"
-#include "apps/cli/scheme_options.h"
 #include "apps/cli/surface_evaluator.h"
 #include "far/base/parallel.h"
 

@@ -82,4 +82,8 @@ Result<void> checkSizes(std::span<const LevelSize> sizes, std::int64_t memory) {
   return {};
 }
 
+Result<void> checkChain(const Far::Topology& control, const SchemeChain& chain) {
+  return checkSizes(predictSizes(control, chain, RunShape{}), availableMemory());
+}
+
 }  // namespace honeycomb::Cli

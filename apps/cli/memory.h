@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/cli/scheme_chain.h"
+#include "apps/cli/chain.h"
 #include "far/base/result.h"
 #include "far/tables/refinement.h"
 
@@ -39,5 +39,8 @@ constexpr std::int64_t kMostHalfEdges = 2147483647;
 
 /// Errors: tooLarge, naming the first level that can't be and its bytes, before anything is allocated.
 Result<void> checkSizes(std::span<const LevelSize> sizes, std::int64_t memory);
+
+/// The same of the meshes of a chain, for what memory there is: a ChainCheck.
+Result<void> checkChain(const Far::Topology& control, const SchemeChain& chain);
 
 }  // namespace honeycomb::Cli

@@ -15,12 +15,6 @@
 namespace honeycomb::Cli {
 namespace {
 
-std::vector<std::int32_t> cornersPerVertex(const Far::Polygons& polygons) {
-  std::vector<std::int32_t> count(at(polygons.vertexCount), 0);
-  for (const std::int32_t v : polygons.indices) ++count[at(v)];
-  return count;
-}
-
 /// `width` numbers for each vertex of `order`.
 template <class Number>
 std::vector<Number> gathered(const std::vector<Number>& values, const std::vector<std::int32_t>& order,
@@ -34,7 +28,7 @@ std::vector<Number> gathered(const std::vector<Number>& values, const std::vecto
 /// Removes the vertices of no face, but those that a crease names, by mistake; the others keep their order.
 void dropIsolated(MeshInput& input) {
   Io::Mesh& mesh = input.mesh;
-  std::vector<std::int32_t> mentions = cornersPerVertex(mesh.polygons);
+  std::vector<std::int32_t> mentions = Far::cornersPerVertex(mesh.polygons);
   for (const Far::Crease& crease : mesh.polygons.creases)
     mentions[at(crease.vertex0)] = mentions[at(crease.vertex1)] = 1;
   if (std::find(mentions.begin(), mentions.end(), 0) == mentions.end()) return;
@@ -225,12 +219,6 @@ Error located(const MeshInput& input, const Error& error) {
     message.replace(place, name.size(), fmt::format("{} {}", face ? "face" : "vertex", number));
   return {error.code,
           fmt::format("{}: {} (numbers count from 1{})", placeInFile(input, line), message, countedAs(input)), line};
-}
-
-void tagCorners(Far::Polygons& polygons) {
-  const std::vector<std::int32_t> corners = cornersPerVertex(polygons);
-  for (std::int32_t v = 0; v < polygons.vertexCount; ++v)
-    if (corners[at(v)] == 1) polygons.corners.push_back(v);
 }
 
 }  // namespace honeycomb::Cli

@@ -75,7 +75,4 @@ Error inFile(const std::string& file, Error error);
 /// number as in the file.
 Error located(const MeshInput& input, const Error& error);
 
-/// Tags vertices that lie in one face only, so that the brick boundary keeps them where they are.
-void tagCorners(Far::Polygons& polygons);
-
 }  // namespace honeycomb::Cli

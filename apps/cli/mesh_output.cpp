@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "apps/cli/choice.h"
+#include "apps/cli/chain.h"
 #include "apps/cli/formats.h"
 #include "io/glb_writer.h"
 #include "io/ply_writer.h"

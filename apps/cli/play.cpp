@@ -1,6 +1,6 @@
 #include <CLI/CLI.hpp>
 
-#include "apps/cli/choice.h"
+#include "apps/cli/chain.h"
 #include "apps/cli/commands.h"
 #include "apps/cli/play/options.h"
 

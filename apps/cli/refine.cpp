@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "apps/cli/central_points.h"
-#include "apps/cli/choice.h"
+#include "apps/cli/chain.h"
 #include "apps/cli/commands.h"
 #include "apps/cli/fast_normals.h"
 #include "apps/cli/formats.h"

@@ -6,7 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "apps/cli/choice.h"
+#include "apps/cli/chain.h"
+#include "apps/cli/scheme_flags.h"
 #include "far/base/index.h"
 
 namespace honeycomb::Cli {
@@ -25,7 +26,7 @@ void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options) {
       .add_option("--levels", options.levels,
                   "Refinement steps, 1 to " + std::to_string(Far::kMaxLevels) + "; of a chain, their sum")
       ->default_str(std::to_string(LevelChoice{}.usual));
-  options.scheme.addTo(subcommand);
+  addSchemeFlags(subcommand, options.scheme);
   subcommand.add_option("--backend", options.backend, "What refines: " + names(backends()) + " (auto: tbb)")
       ->capture_default_str();
   subcommand

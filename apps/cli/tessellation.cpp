@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include "apps/cli/chain.h"
 #include "apps/cli/console.h"
-#include "apps/cli/schemes.h"
 #include "far/base/index.h"
 #include "far/base/parallel.h"
 #include "far/tables/patch_table.h"

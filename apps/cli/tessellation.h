@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "apps/cli/scheme_chain.h"
+#include "apps/cli/chain.h"
 #include "apps/cli/surface_evaluator.h"
 #include "far/base/result.h"
 #include "far/tables/refinement.h"

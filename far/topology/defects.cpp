@@ -214,4 +214,11 @@ std::string_view remedy(DefectKind kind) {
   return {};
 }
 
+std::vector<std::int32_t> cornersPerVertex(const Polygons& polygons) {
+  std::vector<std::int32_t> count(at(polygons.vertexCount), 0);
+  for (const std::int32_t v : polygons.indices)
+    if (v >= 0 && v < polygons.vertexCount) ++count[at(v)];
+  return count;
+}
+
 }  // namespace honeycomb::Far

@@ -43,4 +43,7 @@ std::string describe(const Defect& defect);
 /// What the owner of the mesh can do about it: "remove the duplicate corner", ...
 std::string_view remedy(DefectKind kind);
 
+/// How many faces each vertex is in; corners whose vertex is out of range are passed over. Linear.
+std::vector<std::int32_t> cornersPerVertex(const Polygons& polygons);
+
 }  // namespace honeycomb::Far

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "apps/cli/choice.h"
+#include "apps/cli/chain.h"
 #include "apps/cli/surface_evaluator.h"
 
 namespace honeycomb::Cli::Play {

@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "apps/cli/choice.h"
+#include "apps/cli/chain.h"
 #include "far/base/index.h"
 #include "far/base/stopwatch.h"
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/cli/chain.h"
 #include "apps/cli/play/surface.h"
-#include "apps/cli/schemes.h"
 
 namespace honeycomb::Cli::Play {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/cli/choice.h"
+#include "apps/cli/chain.h"
 #include "apps/cli/play/host_poses.h"
 #include "io/cache_folder.h"
 

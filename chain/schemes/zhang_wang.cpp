@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "apps/cli/choice.h"
-#include "apps/cli/schemes.h"
+#include "chain/choice.h"
+#include "chain/schemes.h"
 
-namespace honeycomb::Cli {
+namespace honeycomb::Chain {
 
 const SchemeOption kCentralFileOption{
     "--ccv", SchemeOption::Kind::text, "",
@@ -108,4 +108,4 @@ constexpr std::array<std::string_view, 3> kBoundaries{"eq16", "brick", "drop"};
 
 const SchemeEntry kZhangWang{"zhang-wang", make, kOptions, kBoundaries, true, true};
 
-}  // namespace honeycomb::Cli
+}  // namespace honeycomb::Chain

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-namespace honeycomb::Cli {
+namespace honeycomb::Chain {
 
 /// "a,b" -> "a", "b"; of an empty text one empty word.
 inline std::vector<std::string_view> commaSeparated(std::string_view text) {
@@ -16,4 +16,4 @@ inline std::vector<std::string_view> commaSeparated(std::string_view text) {
   return words;
 }
 
-}  // namespace honeycomb::Cli
+}  // namespace honeycomb::Chain

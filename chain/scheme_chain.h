@@ -1,16 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "apps/cli/schemes.h"
+#include "chain/schemes.h"
 #include "far/base/result.h"
 #include "far/schemes/scheme.h"
 #include "far/topology/topology.h"
 
-namespace honeycomb::Cli {
+namespace honeycomb::Chain {
 
 /// Consecutive levels of one scheme.
 struct ChainPart {
@@ -45,15 +46,19 @@ struct SchemeChain {
   std::int32_t levels() const { return levelOf.back(); }
 };
 
-/// Makes the steps for a control mesh. `memory`: bytes that the meshes in between may take, which schemes behind the
-/// first look at. Errors: those of the schemes; of the first, elements are those of the mesh.
-Result<SchemeChain> makeChain(const ChainRequest& request, const SchemeOptions& options, const Far::Topology& control,
-                              std::int64_t memory);
+/// Can the meshes that a chain makes of a control mesh be built? Else an error.
+using ChainCheck = std::function<Result<void>(const Far::Topology& control, const SchemeChain& chain)>;
 
-/// Are boundary vertices of one face to be kept as corners?
-bool keepsCorners(const SchemeOptions& options);
+/// Makes the steps for a control mesh. `fits` is asked before meshes in between are built, which schemes behind the
+/// first look at. Errors: those of the schemes and of `fits`; of the first scheme, elements are those of the mesh.
+Result<SchemeChain> makeChain(const ChainRequest& request, const SchemeOptions& options, const Far::Topology& control,
+                              const ChainCheck& fits);
+
+/// Tags vertices that lie in one face only, so that the brick boundary keeps them where they are, if --corners asks
+/// for it. Vertices of faces that are out of range are passed over: Topology::create names them.
+void tagCorners(const SchemeOptions& options, Far::Polygons& polygons);
 
 /// "akleman", "half-box", "half-box": what makes each step.
 std::vector<std::string> stepNames(const SchemeChain& chain);
 
-}  // namespace honeycomb::Cli
+}  // namespace honeycomb::Chain

@@ -8,7 +8,7 @@
 
 #include "far/base/result.h"
 
-namespace honeycomb::Cli {
+namespace honeycomb::Chain {
 
 /// "akleman, zhang-wang": the names of a table whose entries have a `name`.
 template <class Table>
@@ -29,4 +29,4 @@ auto choose(const Table& table, std::string_view option, std::string_view name)
               fmt::format("{}: there is no '{}'; choose from: {}", option, name, names(table)));
 }
 
-}  // namespace honeycomb::Cli
+}  // namespace honeycomb::Chain

@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "apps/cli/scheme_options.h"
+#include "chain/scheme_options.h"
 #include "far/base/result.h"
 #include "far/schemes/scheme.h"
 #include "far/topology/splits/zip.h"
 
-namespace honeycomb::Cli {
+namespace honeycomb::Chain {
 
 /// Where a scheme is to take a mesh.
 struct SchemeRequest {
@@ -22,7 +22,7 @@ struct SchemeRequest {
   std::string_view boundary;  ///< one of the entry's boundaries; empty where it has none
 };
 
-/// A subdivision scheme: one file in apps/cli/schemes, or one line of the table in schemes.cpp where it has no options.
+/// A subdivision scheme: one file in chain/schemes, or one line of the table in schemes.cpp where it has no options.
 struct SchemeEntry {
   std::string_view name;
   /// The steps of that many levels; more steps than levels begin with conversions.
@@ -42,6 +42,9 @@ struct SchemeEntry {
 };
 std::span<const SchemeEntry> schemes();
 
+/// The options of all schemes, each once, in the order of their table.
+std::vector<const SchemeOption*> allOptions();
+
 /// "akleman, zhang-wang": the schemes that have an option.
 std::string ownersOf(const SchemeOption& option);
 
@@ -57,4 +60,4 @@ Far::BoundaryRule zipBoundary(std::string_view name);
 /// The whole text as a number.
 std::optional<double> parseNumber(std::string_view text);
 
-}  // namespace honeycomb::Cli
+}  // namespace honeycomb::Chain

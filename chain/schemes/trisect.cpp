@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "apps/cli/schemes.h"
+#include "chain/schemes.h"
 
-namespace honeycomb::Cli {
+namespace honeycomb::Chain {
 namespace {
 
 constexpr SchemeOption kRatio{"--ratio", SchemeOption::Kind::number, "1/3",
@@ -23,4 +23,4 @@ constexpr std::array kOptions{&kRatio};
 
 const SchemeEntry kTrisect{"trisect", make, kOptions};
 
-}  // namespace honeycomb::Cli
+}  // namespace honeycomb::Chain

@@ -5,11 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace CLI {
-class App;
-}
+#include "far/base/result.h"
 
-namespace honeycomb::Cli {
+namespace honeycomb::Chain {
 
 /// An option that some schemes have; which ones is said by the entries of schemes().
 struct SchemeOption {
@@ -40,23 +38,25 @@ class SchemeOptions {
   /// Of a number.
   std::optional<double> number(const SchemeOption& option) const;
 
-  /// What the user has written since, in the place of the command line. False for a number that is none.
+  /// Takes `text` as what the user wrote. False for a number that is none.
   bool set(const SchemeOption& option, const std::string& text);
+  /// The same by the option's name, "tension" or "--tension". Errors: invalidOption for a name that no scheme has,
+  /// listing those there are, and for a text that is no number where one is needed.
+  Result<void> set(std::string_view name, const std::string& text);
   /// As if it had not been given.
   void reset(const SchemeOption& option) { values_.erase(option.name); }
 
-  /// Adds --scheme and the options of all schemes to a subcommand, which writes into this object: it must stay in
-  /// place.
-  void addTo(CLI::App& subcommand);
-
- private:
+  /// What was given, to be written by a parser; at most one of the three is set.
   struct Value {
     std::optional<std::string> text;
     std::optional<double> number;
     bool flag = false;
   };
-  void add(CLI::App& subcommand, const SchemeOption& option);
+  /// The option's place, which stays where it is as long as the options do.
+  Value& value(const SchemeOption& option) { return values_[option.name]; }
+
+ private:
   std::map<std::string_view, Value> values_;
 };
 
-}  // namespace honeycomb::Cli
+}  // namespace honeycomb::Chain

@@ -1,4 +1,4 @@
-#include "apps/cli/schemes.h"
+#include "chain/schemes.h"
 
 #include <array>
 #include <charconv>
@@ -10,7 +10,7 @@
 #include "osd/interop/schemes.h"
 #endif
 
-namespace honeycomb::Cli {
+namespace honeycomb::Chain {
 namespace {
 
 constexpr std::array kBoundaryOnly{&kBoundaryOption};
@@ -51,6 +51,15 @@ std::span<const SchemeEntry> schemes() {
   return kSchemes;
 }
 
+std::vector<const SchemeOption*> allOptions() {
+  std::vector<const SchemeOption*> all;
+  for (const SchemeEntry& entry : schemes())
+    for (const SchemeOption* option : entry.options)
+      if (std::none_of(all.begin(), all.end(), [&](const SchemeOption* a) { return a->name == option->name; }))
+        all.push_back(option);
+  return all;
+}
+
 std::string ownersOf(const SchemeOption& option) {
   std::string owners;
   for (const SchemeEntry& entry : schemes())
@@ -70,4 +79,4 @@ std::optional<double> parseNumber(std::string_view text) {
   return number;
 }
 
-}  // namespace honeycomb::Cli
+}  // namespace honeycomb::Chain

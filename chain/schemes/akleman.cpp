@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "apps/cli/choice.h"
-#include "apps/cli/schemes.h"
+#include "chain/choice.h"
+#include "chain/schemes.h"
 
-namespace honeycomb::Cli {
+namespace honeycomb::Chain {
 namespace {
 
 constexpr SchemeOption kTension{
@@ -48,4 +48,4 @@ constexpr std::array<std::string_view, 3> kBoundaries{"brick", "eq16", "drop"};
 
 const SchemeEntry kAkleman{"akleman", make, kOptions, kBoundaries};
 
-}  // namespace honeycomb::Cli
+}  // namespace honeycomb::Chain

@@ -1,16 +1,17 @@
-#include "apps/cli/scheme_chain.h"
+#include "chain/scheme_chain.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <charconv>
 
-#include "apps/cli/choice.h"
-#include "apps/cli/memory.h"
-#include "apps/cli/words.h"
+#include "chain/choice.h"
+#include "chain/words.h"
+#include "far/base/index.h"
 #include "far/tables/refinement.h"
+#include "far/topology/defects.h"
 
-namespace honeycomb::Cli {
+namespace honeycomb::Chain {
 namespace {
 
 struct CornerChoice {
@@ -144,9 +145,8 @@ Result<void> checkCentral(const ChainRequest& request, const SchemeOptions& opti
 }
 
 /// The mesh that the steps so far make, for schemes that look at theirs.
-Result<Far::Topology> applySteps(const SchemeChain& chain, const Far::Topology& control, std::int64_t memory) {
-  if (const auto fits = checkSizes(predictSizes(control, chain, RunShape{}), memory); !fits)
-    return tl::unexpected(fits.error());
+Result<Far::Topology> applySteps(const SchemeChain& chain, const Far::Topology& control, const ChainCheck& fits) {
+  if (const auto fit = fits(control, chain); !fit) return tl::unexpected(fit.error());
   Far::Topology mesh = control;
   for (const Far::Scheme& step : chain.steps) {
     Result<Far::SplitResult> split = step.split.apply(mesh);
@@ -191,11 +191,11 @@ Result<ChainRequest> readChain(const SchemeOptions& options, std::optional<std::
 }
 
 Result<SchemeChain> makeChain(const ChainRequest& request, const SchemeOptions& options, const Far::Topology& control,
-                              std::int64_t memory) {
+                              const ChainCheck& fits) {
   SchemeChain chain;
   for (const ChainPart& part : request.parts) {
     Result<Far::Topology> refined = Far::Topology();
-    if (!chain.steps.empty() && part.scheme->looksAtMesh) refined = applySteps(chain, control, memory);
+    if (!chain.steps.empty() && part.scheme->looksAtMesh) refined = applySteps(chain, control, fits);
     if (!refined) return tl::unexpected(ofPart(chain, part, refined.error()));
     const Far::Topology& mesh = chain.steps.empty() ? control : *refined;
     Result<std::vector<Far::Scheme>> steps = part.scheme->make({options, mesh, part.levels, part.boundary});
@@ -205,9 +205,12 @@ Result<SchemeChain> makeChain(const ChainRequest& request, const SchemeOptions& 
   return chain;
 }
 
-bool keepsCorners(const SchemeOptions& options) {
-  const auto corners = choose(kCorners, kCornersOption.name, options.text(kCornersOption));
-  return corners && (*corners)->keep;
+void tagCorners(const SchemeOptions& options, Far::Polygons& polygons) {
+  const auto choice = choose(kCorners, kCornersOption.name, options.text(kCornersOption));
+  if (!choice || !(*choice)->keep) return;
+  const std::vector<std::int32_t> corners = Far::cornersPerVertex(polygons);
+  for (std::int32_t v = 0; v < polygons.vertexCount; ++v)
+    if (corners[at(v)] == 1) polygons.corners.push_back(v);
 }
 
 std::vector<std::string> stepNames(const SchemeChain& chain) {
@@ -216,4 +219,4 @@ std::vector<std::string> stepNames(const SchemeChain& chain) {
   return stepsByName;
 }
 
-}  // namespace honeycomb::Cli
+}  // namespace honeycomb::Chain

@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "apps/cli/choice.h"
-#include "apps/cli/schemes.h"
+#include "chain/choice.h"
+#include "chain/schemes.h"
 
-namespace honeycomb::Cli {
+namespace honeycomb::Chain {
 
 const SchemeOption kTunedOption{"--tuned", SchemeOption::Kind::text, "none",
                                 "Levels whose weights keep the control points of small faces apart: none, first, all"};
@@ -54,4 +54,4 @@ constexpr std::array<std::string_view, 2> kBoundaries{"natural", "clamped"};
 
 const SchemeEntry kHalfBox{"half-box", make, kOptions, kBoundaries, true, false, true, true};
 
-}  // namespace honeycomb::Cli
+}  // namespace honeycomb::Chain
