@@ -4,6 +4,7 @@
 #include "far/base/parallel.h"
 #include "far/tables/tile_table.h"
 #include "osd/cpu_evaluator.h"
+#include "osd/normal_evaluator.h"
 #include "osd/tile_evaluator.h"
 #include "osd/tile_size.h"
 
@@ -48,6 +49,37 @@ class CpuSurfaceEvaluator : public SurfaceEvaluator {
   Osd::CpuEvaluator evaluator_;
 };
 
+/// Level after level, with fast normals.
+class FastNormalEvaluator : public SurfaceEvaluator {
+ public:
+  FastNormalEvaluator(const Far::Refinement& refinement, Far::NormalTable table, Threads threads)
+      : refinement_(refinement), table_(std::move(table)), evaluator_(threads) {}
+
+  Result<void> evaluate(std::span<const float> control, Surface<float>& surface) override {
+    return evaluateAs<float>(control, surface);
+  }
+  Result<void> evaluate(std::span<const double> control, Surface<double>& surface) override {
+    return evaluateAs<double>(control, surface);
+  }
+
+ private:
+  template <class Real>
+  Result<void> evaluateAs(std::span<const Real> control, Surface<Real>& surface) {
+    surface.vertexCount = refinement_.last().topology.vertexCount();
+    surface.points.resize(3 * at(refinement_.last().pointCount()));
+    surface.normals.resize(surface.points.size());
+    const Result<void> done = evaluator_.evaluate<Real>(refinement_, table_, Osd::Points<Real>{control, kPacked},
+                                                        Osd::PointsOut<Real>{surface.points, kPacked},
+                                                        Osd::PointsOut<Real>{surface.normals, kPacked});
+    surface.normals.resize(3 * at(surface.vertexCount));  // points that are no vertices have none
+    return done;
+  }
+
+  const Far::Refinement& refinement_;
+  Far::NormalTable table_;
+  Osd::NormalEvaluator evaluator_;
+};
+
 /// A frame after another by tiles, which are built once and shared.
 class TileSurfaceEvaluator : public SurfaceEvaluator {
  public:
@@ -83,6 +115,11 @@ class CpuBackend : public Backend {
 
   std::string_view name() const override { return name_; }
   Result<std::unique_ptr<SurfaceEvaluator>> evaluator(const Far::Refinement& refinement, Normals normals) override {
+    if (normals == Normals::fast) {
+      Result<Far::NormalTable> table = Far::buildNormalTable(refinement, refinement.levelCount());
+      if (!table) return tl::unexpected(table.error());
+      return std::make_unique<FastNormalEvaluator>(refinement, std::move(*table), threads_);
+    }
     return std::make_unique<CpuSurfaceEvaluator>(refinement, normals, Osd::CpuEvaluator(threads_, instructions_));
   }
   int framesAtOnce() const override { return threads_ == Threads::all ? Parallel::threadCount() : 1; }

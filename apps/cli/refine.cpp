@@ -7,7 +7,6 @@
 #include "apps/cli/central_points.h"
 #include "apps/cli/chain.h"
 #include "apps/cli/commands.h"
-#include "apps/cli/fast_normals.h"
 #include "apps/cli/formats.h"
 #include "apps/cli/interrupt.h"
 #include "apps/cli/json_text.h"
@@ -113,14 +112,12 @@ template <class Real>
 Result<Refined<Real>> evaluate(const RefineJob& job, const Far::Refinement& refinement) {
   const Result<std::vector<Real>> control = controlPoints<Real>(job.plan.mesh.input, job.central);
   if (!control) return tl::unexpected(control.error());
-  const bool byTables = job.normals == Normals::exact && !job.command.pieces;
   Result<std::unique_ptr<SurfaceEvaluator>> evaluator =
-      job.plan.backend->evaluator(refinement, byTables ? Normals::exact : Normals::none);
+      job.plan.backend->evaluator(refinement, job.command.pieces ? Normals::none : job.normals);
   if (!evaluator) return tl::unexpected(evaluator.error());
   Surface<Real> surface;
   Result<void> done = (*evaluator)->evaluate(std::span<const Real>(*control), surface);
   if (done) done = checkFinite<Real>(surface.vertices());
-  if (done && job.normals == Normals::fast) done = setFastNormals<Real>(refinement, *control, surface);
   if (!done) return tl::unexpected(inFile(job.plan.mesh.input.file, done.error()));
   if (job.command.pieces && job.normals == Normals::exact) setNormals(surface);
   auto primvars = refinePrimvars<Real>(job.plan.mesh.input, refinement, job.central.given, **evaluator);

@@ -20,7 +20,7 @@ struct Surface {
   std::span<const Real> vertices() const { return std::span(points).first(3 * static_cast<std::size_t>(vertexCount)); }
 };
 
-/// fast: see Far::NormalRule; found on the CPU, whatever refines the points.
+/// fast: see Far::NormalRule.
 enum class Normals { none, exact, fast };
 
 /// Refines one frame after another. Belongs to one thread at a time.
@@ -58,7 +58,7 @@ class Backend {
  public:
   virtual ~Backend() = default;
   virtual std::string_view name() const = 0;
-  /// An evaluator that has the machine to itself, with exact normals or none. The refinement outlives it.
+  /// An evaluator that has the machine to itself, with such normals. The refinement outlives it.
   virtual Result<std::unique_ptr<SurfaceEvaluator>> evaluator(const Far::Refinement& refinement, Normals normals) = 0;
   /// How many frames of a bake are refined at the same time.
   virtual int framesAtOnce() const = 0;

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "apps/cli/devices.h"
 #include "apps/cli/frame_tiles.h"
 #include "apps/cli/surface_evaluator.h"
+#include "far/base/index.h"
 #include "far/tables/tile_table.h"
 #include "io/cache_folder.h"
 #include "osd/vulkan/context.h"
@@ -38,7 +41,9 @@ class VulkanSurfaceEvaluator : public SurfaceEvaluator, public FrameStream {
     const auto points = (*results)->numbers(Osd::PointBuffer::refined);
     const auto normals = (*results)->numbers(Osd::PointBuffer::vertexNormals);
     surface.points.assign(points.begin(), points.end());
-    surface.normals.assign(normals.begin(), normals.end());
+    // Fast ones come for all points, those behind the vertices included.
+    const std::size_t numbers = std::min(normals.size(), 3 * at(vertexCount_));
+    surface.normals.assign(normals.begin(), normals.begin() + static_cast<std::ptrdiff_t>(numbers));
     return {};
   }
 
@@ -65,7 +70,8 @@ class VulkanBackend : public Backend {
   std::string_view name() const override { return "vulkan"; }
   Result<std::unique_ptr<SurfaceEvaluator>> evaluator(const Far::Refinement& refinement, Normals normals) override {
     Osd::VulkanTableOptions options;
-    if (normals == Normals::exact) options.vertexLimits.normals = Osd::BufferDescriptor{};
+    if (normals != Normals::none) options.vertexLimits.normals = Osd::BufferDescriptor{};
+    if (normals == Normals::fast) options.normalKind = Far::TileNormalKind::fast;
     const auto table = evaluator_.upload(refinement, options);
     if (!table) return tl::unexpected(table.error());
     return inFlight(refinement, *table, 1);

@@ -42,7 +42,8 @@ using Upload = Result<Osd::VulkanTable> (*)(Osd::VulkanEvaluator&, const Problem
 Osd::VulkanTableOptions optionsOf(const Problem& problem) {
   Osd::VulkanTableOptions options;
   options.control = options.refined = problem.layout.desc;
-  if (problem.normals == Normals::exact) options.vertexLimits.normals = Osd::BufferDescriptor{};
+  if (problem.normals != Normals::none) options.vertexLimits.normals = Osd::BufferDescriptor{};
+  options.normalKind = tileNormals(problem.normals);
   return options;
 }
 
@@ -100,7 +101,6 @@ Result<Prepared> prepare(const Problem& problem, Upload upload) {
 }  // namespace
 
 Result<Prepared> prepareVulkan(const Problem& problem) {
-  if (problem.normals == Normals::fast) return tl::unexpected(withoutNormals(problem).error());
   return prepare(problem, uploadLevels);
 }
 

@@ -37,14 +37,29 @@ Result<VulkanTable> VulkanEvaluator::upload(const Far::Refinement& refinement, c
     std::vector<const Far::LevelTable*> levels;
     for (std::int32_t k = options.firstLevel + 1; k <= last; ++k) levels.push_back(&refinement.level(k).table);
     const Far::LimitTable* limits = last == refinement.levelCount() ? &refinement.limits() : nullptr;
-    return upload(levels, limits, options);
+    if (!options.fastNormals()) return uploadLevels(levels, limits, nullptr, options);
+    if (options.firstLevel != 0) {
+      return fail(ErrorCode::invalidOption,
+                  fmt::format("fast normals of faces are found from level 0 on, not from level {}: begin with level 0, "
+                              "or take exact normals",
+                              options.firstLevel));
+    }
+    const Result<Far::NormalTable> fast = Far::buildNormalTable(refinement, last);
+    if (!fast) return tl::unexpected(fast.error());
+    return uploadLevels(levels, limits, &*fast, options);
   });
 }
 
 Result<VulkanTable> VulkanEvaluator::upload(std::span<const Far::LevelTable* const> levels,
                                             const Far::LimitTable* limits, const VulkanTableOptions& options) {
+  return uploadLevels(levels, limits, nullptr, options);
+}
+
+Result<VulkanTable> VulkanEvaluator::uploadLevels(std::span<const Far::LevelTable* const> levels,
+                                                  const Far::LimitTable* limits, const Far::NormalTable* fast,
+                                                  const VulkanTableOptions& options) {
   auto table =
-      guarded([&]() -> Result<VulkanTable> { return buildTable(core_, *pipelines_, levels, limits, options); });
+      guarded([&]() -> Result<VulkanTable> { return buildTable(core_, *pipelines_, levels, limits, fast, options); });
   // A cache that can't be written costs time at the next start, and nothing else.
   if (table) static_cast<void>(savePipelines());
   return table;

@@ -27,8 +27,8 @@ class VulkanEvaluator {
 
   /// Brings the tables of levels options.firstLevel+1 .. options.lastLevel to the device, once per mesh. Where memory
   /// isn't shared it submits copies to the device's queue and waits, so nobody else may use the queue meanwhile.
-  /// Errors: invalidOption (levels, descriptors, limits that aren't there), tooLarge (a level of 2^32 numbers, or one
-  /// that is read of more than kSourcePages pages), outOfMemory, deviceLost.
+  /// Errors: invalidOption (levels, descriptors, limits or normals that aren't there), tooLarge (a level of 2^32
+  /// numbers, or one that is read of more than kSourcePages pages), outOfMemory, deviceLost.
   Result<VulkanTable> upload(const Far::Refinement& refinement, const VulkanTableOptions& options = {});
   /// The same of level tables from anywhere, each reading what the one before writes; `limits` of the last may be null.
   /// options.firstLevel and lastLevel are not looked at.
@@ -85,6 +85,9 @@ class VulkanEvaluator {
   const std::shared_ptr<const VulkanCore>& core() const { return core_; }
 
  private:
+  Result<VulkanTable> uploadLevels(std::span<const Far::LevelTable* const> levels, const Far::LimitTable* limits,
+                                   const Far::NormalTable* fast, const VulkanTableOptions& options);
+
   std::shared_ptr<const VulkanCore> core_;
   std::shared_ptr<VulkanPipelines> pipelines_;
 };

@@ -30,6 +30,8 @@ const char* fileName(Kernel kernel) {
       return "loose.comp.spv";
     case Kernel::limits:
       return "limits.comp.spv";
+    case Kernel::normals:
+      return "normals.comp.spv";
     case Kernel::tileBuffer:
       return "tile_buffer.comp.spv";
     case Kernel::tileShared:

@@ -16,10 +16,11 @@ enum class Kernel : std::uint32_t {
   summed,
   loose,
   limits,
+  normals,
   tileBuffer,
   tileShared
 };
-constexpr std::uint32_t kKernelCount = 10;
+constexpr std::uint32_t kKernelCount = 11;
 
 /// How tiles write a point: see shaders/tile.glsl.
 enum class TilePlacing : std::uint32_t { numbers, whole, pairs };

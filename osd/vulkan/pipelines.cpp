@@ -9,6 +9,7 @@ namespace {
 #include "shaders/dense.comp.h"
 #include "shaders/limits.comp.h"
 #include "shaders/loose.comp.h"
+#include "shaders/normals.comp.h"
 #include "shaders/projected.comp.h"
 #include "shaders/projected_blocks.comp.h"
 #include "shaders/projected_sums.comp.h"
@@ -33,6 +34,8 @@ std::span<const std::uint32_t> kernelCode(Kernel kernel) {
       return kSummedComp;
     case Kernel::loose:
       return kLooseComp;
+    case Kernel::normals:
+      return kNormalsComp;
     case Kernel::tileBuffer:
       return kTileBufferComp;
     case Kernel::tileShared:

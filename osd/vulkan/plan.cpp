@@ -31,22 +31,6 @@ struct ItemBatch {
   Far::CirculantForm form = Far::CirculantForm::direct;
 };
 
-struct ItemRange {
-  std::int64_t begin = 0, end = 0;
-};
-
-// The items of `range` that have values in the window. Item g covers the numbers origin + g*step .. + length - 1.
-ItemRange itemsIn(const Window& window, const PointLayout& target, const ItemBatch& batch, ItemRange range) {
-  const auto origin = static_cast<std::int64_t>(StagePlanner::number(target, batch.firstOutput));
-  const std::int64_t step = batch.outputs * target.desc.stride;
-  const std::int64_t length = (batch.outputs - 1) * target.desc.stride + target.desc.length;
-  const std::int64_t begin = static_cast<std::int64_t>(window.begin) - origin - length;
-  const std::int64_t end = static_cast<std::int64_t>(window.begin + window.size) - origin;
-  const std::int64_t first = begin < 0 ? 0 : begin / step + 1;
-  const std::int64_t past = end <= 0 ? 0 : (end + step - 1) / step;
-  return {std::max(range.begin, first), std::min(range.end, past)};
-}
-
 class LevelPlanner {
  public:
   LevelPlanner(const StagePlanner& stage, const LevelTable& table, const LevelSections& sections)
@@ -59,7 +43,6 @@ class LevelPlanner {
   Result<void> planItems(const ItemBatch& batch, ItemRange range);
   Result<void> planLoose();
   Result<void> planRows(std::int64_t begin, std::int64_t end);
-  std::int64_t endOfRows(std::int64_t begin) const;
 
   const StagePlanner& stage_;
   const LevelTable& table_;
@@ -100,7 +83,7 @@ Result<void> LevelPlanner::planItems(const ItemBatch& batch, ItemRange range) {
   const auto windows = stage_.windows(stage_.target(), batch.firstOutput + range.begin * batch.outputs,
                                       batch.firstOutput + range.end * batch.outputs - 1);
   for (const Window& window : windows) {
-    const ItemRange items = windows.size() == 1 ? range : itemsIn(window, stage_.target(), batch, range);
+    const ItemRange items = stage_.itemsIn(window, {batch.firstOutput, batch.outputs}, range);
     if (items.begin >= items.end) continue;
     Dispatch dispatch = stage_.dispatch(batch.kernel);
     dispatch.specialization.sides = static_cast<std::uint32_t>(batch.indices);
@@ -122,22 +105,12 @@ Result<void> LevelPlanner::planItems(const ItemBatch& batch, ItemRange range) {
 }
 
 // As many rows as slices hold: of their entries, and of the rows themselves with the offset behind the last.
-std::int64_t LevelPlanner::endOfRows(std::int64_t begin) const {
-  const auto& offsets = table_.loose.offsets;
-  const std::int64_t entries =
-      std::min(stage_.sliceCapacity(sections_.indices), stage_.sliceCapacity(sections_.weights));
-  const std::int64_t rows =
-      std::min(stage_.sliceCapacity(sections_.outputs), stage_.sliceCapacity(sections_.offsets) - 1);
-  const std::int64_t limit = std::min<std::int64_t>(table_.loose.rowCount(), begin + std::max<std::int64_t>(rows, 1));
-  const std::int64_t firstEntry = offsets[static_cast<std::size_t>(begin)];
-  std::int64_t end = begin + 1;
-  while (end < limit && offsets[static_cast<std::size_t>(end) + 1] - firstEntry <= entries) ++end;
-  return end;
-}
-
 Result<void> LevelPlanner::planLoose() {
+  const RowCapacity capacity{
+      std::min(stage_.sliceCapacity(sections_.outputs), stage_.sliceCapacity(sections_.offsets) - 1),
+      std::min(stage_.sliceCapacity(sections_.indices), stage_.sliceCapacity(sections_.weights))};
   for (std::int64_t begin = 0; begin < table_.loose.rowCount();) {
-    const std::int64_t end = endOfRows(begin);
+    const std::int64_t end = endOfRows(table_.loose.offsets, begin, capacity);
     if (auto planned = planRows(begin, end); !planned) return planned;
     begin = end;
   }

@@ -4,6 +4,7 @@
 
 #include "far/tables/level_table.h"
 #include "far/tables/limit_table.h"
+#include "far/tables/normal_rule.h"
 #include "osd/vulkan/stage_planner.h"
 
 namespace honeycomb::Osd {
@@ -27,5 +28,10 @@ struct LimitLayouts {
 /// written. Errors: tooLarge.
 Result<StagePlan> planLimits(const VulkanLimits& limits, const Far::LimitRows& rows, const PointLayout& source,
                              const LimitLayouts& layouts, std::int64_t results, TableImage& image);
+
+/// The dispatches that sum the normals of faces (packed, by the numbers of `table`) to unit normals of points: one
+/// step. Errors: tooLarge.
+Result<StagePlan> planNormals(const VulkanLimits& limits, const Far::NormalTable& table,
+                              const BufferDescriptor& normals, TableImage& image);
 
 }  // namespace honeycomb::Osd

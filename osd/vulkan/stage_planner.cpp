@@ -5,7 +5,16 @@
 #include <algorithm>
 #include <bit>
 
+#include "far/base/index.h"
+
 namespace honeycomb::Osd {
+
+std::int64_t endOfRows(std::span<const std::int32_t> offsets, std::int64_t begin, const RowCapacity& capacity) {
+  const std::int64_t limit = std::min(std::ssize(offsets) - 1, begin + std::max<std::int64_t>(capacity.rows, 1));
+  std::int64_t end = begin + 1;
+  while (end < limit && offsets[at(end + 1)] - offsets[at(begin)] <= capacity.entries) ++end;
+  return end;
+}
 
 Result<void> StagePlanner::check() const {
   constexpr std::uint64_t kNumbers = std::uint64_t{1} << 32U;
@@ -57,6 +66,20 @@ std::vector<Window> StagePlanner::windows(const PointLayout& layout, std::int64_
   std::vector<Window> windows;
   for (std::uint64_t at = begin / page * page; at < end; at += page) windows.push_back({at, std::min(page, all - at)});
   return windows;
+}
+
+// Item g covers the numbers origin + g*step .. + length - 1.
+ItemRange StagePlanner::itemsIn(const Window& window, const ItemOutputs& outputs, ItemRange range) const {
+  if (window.begin == 0 && window.size == targetBytes() / sizeof(float)) return range;
+  const BufferDescriptor& desc = target_.desc;
+  const auto origin = static_cast<std::int64_t>(number(target_, outputs.first));
+  const std::int64_t step = outputs.each * desc.stride;
+  const std::int64_t length = (outputs.each - 1) * desc.stride + desc.length;
+  const std::int64_t begin = static_cast<std::int64_t>(window.begin) - origin - length;
+  const std::int64_t end = static_cast<std::int64_t>(window.begin + window.size) - origin;
+  const std::int64_t first = begin < 0 ? 0 : begin / step + 1;
+  const std::int64_t past = end <= 0 ? 0 : (end + step - 1) / step;
+  return {std::max(range.begin, first), std::min(range.end, past)};
 }
 
 Dispatch StagePlanner::dispatch(Kernel kernel) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "far/base/result.h"
@@ -38,6 +39,25 @@ struct Window {
   std::uint64_t size = 0;
 };
 
+/// Items, such as the faces of a batch, one after the other.
+struct ItemRange {
+  std::int64_t begin = 0, end = 0;
+};
+
+/// The points that items write: item g those from first + g*each on, `each` of them.
+struct ItemOutputs {
+  std::int64_t first = 0, each = 1;
+};
+
+/// What a dispatch can hold of rows that are compressed: rows, and entries of theirs.
+struct RowCapacity {
+  std::int64_t rows = 0, entries = 0;
+};
+
+/// The end of the rows from `begin` on that go together, one at least; row r has the entries offsets[r] ..
+/// offsets[r + 1] - 1.
+std::int64_t endOfRows(std::span<const std::int32_t> offsets, std::int64_t begin, const RowCapacity& capacity);
+
 /// The limits of a device applied: storage buffers are bound in ranges of at most a page, so tables are cut into
 /// slices, targets into windows, and sources are bound as several pages.
 ///
@@ -68,6 +88,8 @@ class StagePlanner {
 
   /// The windows of a layout that hold values of the points first..last.
   std::vector<Window> windows(const PointLayout& layout, std::int64_t first, std::int64_t last) const;
+  /// The items of `range` that have values in the window.
+  ItemRange itemsIn(const Window& window, const ItemOutputs& outputs, ItemRange range) const;
   /// The number of a point's first value.
   static std::uint64_t number(const PointLayout& layout, std::int64_t point) {
     return static_cast<std::uint64_t>(layout.desc.offset) +

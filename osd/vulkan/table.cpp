@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "osd/piece.h"
 #include "osd/vulkan/table_builder.h"
 
 namespace honeycomb::Osd {
@@ -39,8 +40,12 @@ Result<void> checkLevels(std::span<const LevelTable* const> levels) {
   return {};
 }
 
+bool wantsLimits(const VulkanTableOptions& options) {
+  return !options.exactVertexLimits().empty() || !options.faceLimits.empty();
+}
+
 Result<void> checkLimits(const VulkanTableOptions& options, const Far::LimitTable* limits, const LevelTable& last) {
-  if (options.vertexLimits.empty() && options.faceLimits.empty()) return {};
+  if (!wantsLimits(options)) return {};
   if (limits == nullptr || limits->faces.sourceCount == 0) {
     return fail(ErrorCode::invalidOption,
                 "limits are wanted of a refinement without: set RefineOptions::limits and evaluate to the last level");
@@ -52,7 +57,23 @@ Result<void> checkLimits(const VulkanTableOptions& options, const Far::LimitTabl
   return {};
 }
 
+Result<void> checkFastNormals(const VulkanTableOptions& options) {
+  if (!options.vertexLimits.normals) return {};
+  if (options.normalKind == Far::TileNormalKind::none) {
+    return fail(ErrorCode::invalidOption, "normals are wanted and normalKind is none: make it fast or exact");
+  }
+  if (options.fastNormals()) return checkNormalLayout(options.refined, *options.vertexLimits.normals);
+  return {};
+}
+
 }  // namespace
+
+Result<void> checkNormalLayout(const BufferDescriptor& points, const BufferDescriptor& normals) {
+  if (points.length < 3 || points.length > kPiece || normals.length != 3) {
+    return fail(ErrorCode::invalidOption, "normals (length 3) are of positions: points of length 3 or 4");
+  }
+  return checkDescriptor(normals, normals.offset, 0, "normals");
+}
 
 Result<void> checkDescriptors(const VulkanTableOptions& options) {
   const auto check = [](const BufferDescriptor& desc, const char* what) {
@@ -66,7 +87,9 @@ Result<void> checkDescriptors(const VulkanTableOptions& options) {
                             "length",
                             options.control.length, options.refined.length));
   }
-  for (const auto* layouts : {&options.vertexLimits, &options.faceLimits}) {
+  if (auto sound = checkFastNormals(options); !sound) return sound;
+  const LimitLayouts vertices = options.exactVertexLimits();
+  for (const auto* layouts : {&vertices, &options.faceLimits}) {
     for (const auto* desc : {&layouts->positions, &layouts->normals}) {
       if (!desc->has_value()) continue;
       if (auto sound = check(**desc, "the limits"); !sound) return sound;
@@ -79,11 +102,12 @@ Result<void> checkDescriptors(const VulkanTableOptions& options) {
   return {};
 }
 
-Result<VulkanTable> TableBuilder::build(std::span<const LevelTable* const> levels, const Far::LimitTable* limits) {
+Result<VulkanTable> TableBuilder::build(std::span<const LevelTable* const> levels, const Far::LimitTable* limits,
+                                        const Far::NormalTable* fast) {
   state_.controlCount = levels.front()->sourceCount;
   state_.refinedCount = levels.back()->targetCount;
-  if (const auto added = addLevels(levels, PointBuffer::refined); !added) return tl::unexpected(added.error());
-  if (!state_.options.vertexLimits.empty() || !state_.options.faceLimits.empty()) {
+  if (const auto added = addLevels(levels, fast); !added) return tl::unexpected(added.error());
+  if (wantsLimits(state_.options)) {
     if (const auto added = addLimits(*limits); !added) return tl::unexpected(added.error());
   }
   VulkanTable table;
@@ -100,17 +124,21 @@ PointLayout TableBuilder::layoutOf(PointBuffer points, std::int64_t count) const
   return {{.offset = 0, .length = length, .stride = length}, count};
 }
 
-Result<void> TableBuilder::addLevels(std::span<const LevelTable* const> levels, PointBuffer last) {
+Result<void> TableBuilder::addLevels(std::span<const LevelTable* const> levels, const Far::NormalTable* fast) {
   PointBuffer source = PointBuffer::control;
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    const PointBuffer target = i + 1 == levels.size() ? last : scratchOf(i);
+    const PointBuffer target = i + 1 == levels.size() ? PointBuffer::refined : scratchOf(i);
     auto steps = level(*levels[i], source, target);
     if (!steps) return tl::unexpected(steps.error());
+    if (fast != nullptr) {
+      const Place points = placeOf(source, levels[i]->sourceCount);
+      if (auto joined = joinFaceNormals(*fast, i, points, *steps); !joined) return joined;
+    }
     append(*steps);
     state_.levelEnds.push_back(state_.phases.size());
     source = target;
   }
-  return {};
+  return fast == nullptr ? Result<void>{} : addNormalSums(*fast);
 }
 
 // What reads the refined points goes together; vertices wait for the child level.
@@ -124,15 +152,16 @@ Result<void> TableBuilder::addLimits(const Far::LimitTable& limits) {
   }
   Steps child;
   std::vector<TableDispatch> last;
-  if (!options.vertexLimits.empty()) {
+  const LimitLayouts wanted = options.exactVertexLimits();
+  if (!wanted.empty()) {
     const std::int64_t vertices = limits.vertices.elementCount;
-    auto here = appendFrames(first, limits.verticesHere, options.vertexLimits, vertices, PointBuffer::refined);
+    auto here = appendFrames(first, limits.verticesHere, wanted, vertices, PointBuffer::refined);
     if (!here) return here;
     if (!limits.vertices.batches.empty()) {
       auto steps = level(limits.child, PointBuffer::refined, PointBuffer::scratchEven);
       if (!steps) return tl::unexpected(steps.error());
       child = std::move(*steps);
-      auto added = appendFrames(last, limits.vertices, options.vertexLimits, vertices, PointBuffer::scratchEven);
+      auto added = appendFrames(last, limits.vertices, wanted, vertices, PointBuffer::scratchEven);
       if (!added) return added;
     }
   }
@@ -210,11 +239,15 @@ Result<TableBuilder::Steps> TableBuilder::addStage(const StagePlan& plan, const 
 
 Result<VulkanTable> buildTable(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,
                                std::span<const LevelTable* const> levels, const Far::LimitTable* limits,
-                               const VulkanTableOptions& options) {
+                               const Far::NormalTable* fast, const VulkanTableOptions& options) {
   if (const auto sound = checkLevels(levels); !sound) return tl::unexpected(sound.error());
   if (const auto sound = checkDescriptors(options); !sound) return tl::unexpected(sound.error());
   if (const auto sound = checkLimits(options, limits, *levels.back()); !sound) return tl::unexpected(sound.error());
-  return TableBuilder(core, pipelines, options).build(levels, limits);
+  if (options.fastNormals() && fast == nullptr) {
+    return fail(ErrorCode::invalidOption,
+                "fast normals are wanted of levels alone: upload the refinement, or take exact normals");
+  }
+  return TableBuilder(core, pipelines, options).build(levels, limits, options.fastNormals() ? fast : nullptr);
 }
 
 }  // namespace honeycomb::Osd

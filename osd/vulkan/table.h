@@ -25,6 +25,17 @@ struct VulkanTableOptions {
   std::int32_t lastLevel = -1;  ///< above firstLevel; -1: the refinement's last
   LimitLayouts vertexLimits{};  ///< limits of the vertices of lastLevel; needs length 3 and the refinement's limits
   LimitLayouts faceLimits{};    ///< the same of its faces
+  /// What vertexLimits.normals are. fast: Far::NormalTable of lastLevel, built with the table, for every point of the
+  /// level (the zero vector of points that are not vertices); they need a refinement from firstLevel 0 and points of
+  /// length 3 or 4, but no limits. Each point takes about 16 bytes of table, each face of the levels before 12 of
+  /// scratch
+  Far::TileNormalKind normalKind = Far::TileNormalKind::exact;
+
+  bool fastNormals() const { return vertexLimits.normals && normalKind == Far::TileNormalKind::fast; }
+  /// What is wanted of the vertices' limits: vertexLimits without normals that come from elsewhere.
+  LimitLayouts exactVertexLimits() const {
+    return {vertexLimits.positions, fastNormals() ? std::nullopt : vertexLimits.normals};
+  }
 };
 
 /// The buffers a table reads and writes; those of the caller first.
@@ -95,11 +106,11 @@ class VulkanTable {
   std::shared_ptr<const State> state_;
 };
 
-/// Uploads the tables of consecutive levels, and limits of the last where `limits` is given.
-/// Errors: invalidOption, tooLarge, outOfMemory, deviceLost.
+/// Uploads the tables of consecutive levels, and what the options want of `limits` and `fast`, both of the last; either
+/// may be null. Errors: invalidOption, tooLarge, outOfMemory, deviceLost.
 Result<VulkanTable> buildTable(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,
                                std::span<const Far::LevelTable* const> levels, const Far::LimitTable* limits,
-                               const VulkanTableOptions& options);
+                               const Far::NormalTable* fast, const VulkanTableOptions& options);
 
 /// Uploads tiles, and the levels that are evaluated before them. Errors: as above, unsupported.
 Result<VulkanTable> buildTable(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,

@@ -14,8 +14,11 @@ namespace honeycomb::Osd {
 /// Are the layouts sound, with points of one length? Errors: invalidOption.
 Result<void> checkDescriptors(const VulkanTableOptions& options);
 
-/// Puts a VulkanTable together: levels and limits in table.cpp, tiles in tile_builder.cpp, what goes before these in
-/// tile_shared_builder.cpp.
+/// Are these a layout of unit normals, and the points some that have normals? Errors: invalidOption.
+Result<void> checkNormalLayout(const BufferDescriptor& points, const BufferDescriptor& normals);
+
+/// Puts a VulkanTable together: levels and limits in table.cpp, fast normals of levels in normal_builder.cpp, tiles in
+/// tile_builder.cpp, what goes before these in tile_shared_builder.cpp.
 class TableBuilder {
  public:
   TableBuilder(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,
@@ -24,7 +27,9 @@ class TableBuilder {
     state_.options = options;
   }
 
-  Result<VulkanTable> build(std::span<const Far::LevelTable* const> levels, const Far::LimitTable* limits);
+  /// `limits` and `fast` may be null, where the options want nothing of them.
+  Result<VulkanTable> build(std::span<const Far::LevelTable* const> levels, const Far::LimitTable* limits,
+                            const Far::NormalTable* fast);
   Result<VulkanTable> build(const Far::Refinement& refinement, const Far::TileTable& tiles,
                             const VulkanTileOptions& options);
 
@@ -36,12 +41,15 @@ class TableBuilder {
     PointLayout layout;
   };
 
-  Result<void> addLevels(std::span<const Far::LevelTable* const> levels, PointBuffer last);
+  Result<void> addLevels(std::span<const Far::LevelTable* const> levels, const Far::NormalTable* fast);
   Result<void> addLimits(const Far::LimitTable& limits);
   Result<Steps> level(const Far::LevelTable& table, PointBuffer source, PointBuffer target);
   Result<Steps> level(const Far::LevelTable& table, const Place& source, const Place& target);
   Result<Steps> frames(const Far::LimitRows& rows, const LimitLayouts& layouts, std::int64_t results,
                        const Place& source, PointBuffer positions, PointBuffer normals);
+  Result<Steps> normalsOf(const Far::LimitRows& rows, const Place& points, const Place& normals);
+  Result<void> joinFaceNormals(const Far::NormalTable& table, std::size_t k, const Place& points, Steps& next);
+  Result<void> addNormalSums(const Far::NormalTable& table);
   Result<Steps> addStage(const StagePlan& plan, const TableImage& image, TableStage stage);
   Result<void> appendFrames(std::vector<TableDispatch>& phase, const Far::LimitRows& rows, const LimitLayouts& layouts,
                             std::int64_t results, PointBuffer source);
@@ -62,7 +70,7 @@ class TableBuilder {
   static PointBuffer scratchOf(std::size_t level) {
     return level % 2 == 0 ? PointBuffer::scratchEven : PointBuffer::scratchOdd;
   }
-  /// The layout of tiles' normals; none where they aren't wanted.
+  /// The layout of the vertices' normals; none where they aren't wanted.
   const std::optional<BufferDescriptor>& normals() const { return state_.options.vertexLimits.normals; }
   std::uint64_t normalBytes() const {
     return normals() ? static_cast<std::uint64_t>(normals()->extent(state_.refinedCount)) * sizeof(float) : 0;

@@ -59,10 +59,7 @@ Result<void> checkTileNormals(const Far::TileTable& tiles, const VulkanTableOpti
     return fail(ErrorCode::invalidOption,
                 fmt::format("normals are of level {} alone; level {} was asked for", tiles.lastLevel, table.lastLevel));
   }
-  if (table.refined.length < 3 || table.refined.length > kPiece || normals.length != 3) {
-    return fail(ErrorCode::invalidOption, "normals (length 3) are of positions: points of length 3 or 4");
-  }
-  return checkDescriptor(normals, normals.offset, 0, "normals");
+  return checkNormalLayout(table.refined, normals);
 }
 
 }  // namespace

@@ -105,9 +105,7 @@ Result<void> TableBuilder::addSharedNormals(const Far::TileTable& tiles, std::in
 }
 
 Result<void> TableBuilder::addNormals(const Far::LimitRows& rows, const Place& points, const Place& normals) {
-  if (rows.batches.empty()) return {};
-  auto steps = frames(rows, {.normals = normals.layout.desc}, normals.layout.count, points,
-                      PointBuffer::vertexPositions, normals.points);
+  auto steps = normalsOf(rows, points, normals);
   if (!steps) return tl::unexpected(steps.error());
   append(*steps);
   return {};

@@ -68,6 +68,7 @@ TEST_F(VulkanBackendTest, EverySchemesFilesAreTheSameAsTheCpus) {
       {"--scheme", "zhang-wang", "--ccv-offset", "0.3", "--normals", "exact"},
       {"--scheme", "half-box", "--normals", "exact"},
       {"--scheme", "half-box", "--normals", "fast"},
+      {"--scheme", "zhang-wang", "--ccv-offset", "0.3", "--normals", "fast"},
       {"--scheme", "half-box", "--levels", "0", "--tessellate", "2", "--normals", "exact"},
       {"--scheme", "midpoint:1,trisect:1,zhang-wang:1,centroid:1,doo-sabin:1"}};
   for (const auto& scheme : schemes) {
@@ -176,6 +177,20 @@ TEST_F(VulkanBackendTest, BenchSaysWhatEachLevelTakes) {
       EXPECT_EQ(one.at("levels")[i].at("what"), "points");
       EXPECT_GT(one.at("levels")[i].at("ms").at("median"), 0);
     }
+  }
+}
+
+TEST_F(VulkanBackendTest, BenchMeasuresEveryKindOfNormals) {
+  if (!hasDevice()) GTEST_SKIP() << "no Vulkan device";
+  for (const std::string normals : {"fast", "exact"}) {
+    const Outcome outcome =
+        run({"bench", "--faces", "64", "--levels", "2", "--evaluators", "serial,vulkan", "--layouts", "xyz",
+             "--normals", normals, "--samples", "1", "--sample-ms", "1", "--json", path("bench.json")});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    const nlohmann::json runs = nlohmann::json::parse(read("bench.json")).at("runs");
+    ASSERT_EQ(runs.size(), 2U) << normals;
+    EXPECT_EQ(runs[1].at("evaluator"), "vulkan");
+    EXPECT_EQ(runs[1].at("normals"), normals);
   }
 }
 

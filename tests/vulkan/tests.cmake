@@ -30,6 +30,10 @@ honeycomb_test(vulkan_refinement_test
   LABELS vulkan
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/refinement_test.cpp ${CMAKE_CURRENT_LIST_DIR}/lsan_suppressions.cpp
   LIBRARIES honeycomb_vulkan_test_support honeycomb::osd_vulkan honeycomb::test_support)
+honeycomb_test(vulkan_level_normals_test
+  LABELS vulkan
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/level_normals_test.cpp ${CMAKE_CURRENT_LIST_DIR}/lsan_suppressions.cpp
+  LIBRARIES honeycomb_vulkan_test_support honeycomb::osd_vulkan honeycomb::test_support)
 foreach(name IN ITEMS tiles_test tile_normals_test tile_frames_test)
   honeycomb_test(vulkan_${name}
     LABELS vulkan

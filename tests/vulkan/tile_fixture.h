@@ -108,10 +108,16 @@ class TilesTest : public VulkanTest {
   testing::AssertionResult agree(const Far::Refinement& refinement, const TileRun& run) {
     const Far::TileTable tiles = must(Far::buildTileTable(
         refinement, {.scratchPoints = run.scratchPoints, .normals = run.kind, .places = run.places}));
-    const std::int32_t level = run.level == 0 ? refinement.levelCount() : run.level;
     auto table = evaluator->uploadTiles(refinement, tiles, optionsOf(run));
     if (!table) return testing::AssertionFailure() << table.error().message;
     Osd::VulkanSession session = must(Osd::VulkanSession::create(*evaluator, std::move(*table)));
+    return sameFrames(refinement, session, run);
+  }
+
+  // Two frames of the session beside the serial evaluator.
+  static testing::AssertionResult sameFrames(const Far::Refinement& refinement, Osd::VulkanSession& session,
+                                             const TileRun& run) {
+    const std::int32_t level = run.level == 0 ? refinement.levelCount() : run.level;
     for (const std::uint32_t frame : {1U, 2U}) {
       const std::vector<float> control = controlOf(refinement, run.layouts, frame);
       std::ranges::copy(control, session.control().begin());
@@ -128,12 +134,16 @@ class TilesTest : public VulkanTest {
     return testing::AssertionSuccess();
   }
 
-  // A share of the schemes under sanitizers and validation, which see nothing of what kernels compute: from `first` on.
+  // A share of the schemes under sanitizers and validation, which see nothing of what kernels compute.
+  static std::size_t schemeStep() {
+    const std::size_t schemes = Meshes::listedSchemes().size();
+    return Meshes::meshes(schemes) < schemes || validationWanted() ? 7 : 1;
+  }
+
+  // From scheme `first` on.
   void agreeUnderEveryScheme(const Meshes::PolyMesh& mesh, TileRun run, std::size_t first) {
     const auto& schemes = Meshes::listedSchemes();
-    const bool sanitized = Meshes::meshes(schemes.size()) < schemes.size();
-    const std::size_t step = sanitized || validationWanted() ? 7 : 1;
-    for (std::size_t i = first % step; i < schemes.size(); i += step) {
+    for (std::size_t i = first % schemeStep(); i < schemes.size(); i += schemeStep()) {
       SCOPED_TRACE(schemes[i].name);
       const bool limits = run.kind == Far::TileNormalKind::exact;
       const Far::Refinement refinement = Meshes::refinedBy(schemes[i], Meshes::toTopology(mesh), 3, limits);
