@@ -6,6 +6,7 @@
 #include <string>
 
 #include "counting_callbacks.h"
+#include "osd/tile_evaluator.h"
 #include "osd/vulkan/frames.h"
 #include "spy.h"
 #include "tile_fixture.h"
@@ -24,7 +25,7 @@ class TileFramesTest : public TilesTest {
   Result<Osd::VulkanFrames> open(Osd::VulkanEvaluator& on, std::uint32_t inFlight) const {
     const auto table = on.uploadTiles(refinement, tiles, optionsOf(run));
     if (!table) return tl::unexpected(table.error());
-    return Osd::VulkanFrames::create(on, *table, {.framesInFlight = inFlight});
+    return Osd::VulkanFrames::create(on, *table, {.framesInFlight = inFlight, .frame = {.timing = true}});
   }
 
   /// Of a frame that has been waited for.
@@ -37,7 +38,7 @@ class TileFramesTest : public TilesTest {
            << ", normals";
   }
 
-  /// Two frames, and whether they are right; the first error.
+  /// Two frames with the times of the second, and whether they are right; the first error.
   Result<void> play(Osd::VulkanEvaluator& on) const {
     auto frames = open(on, 2);
     if (!frames) return tl::unexpected(frames.error());
@@ -49,6 +50,8 @@ class TileFramesTest : public TilesTest {
     }
     if (const auto done = frames->wait(ticket); !done) return done;
     EXPECT_TRUE(right(*frames, ticket, control));
+    const auto times = must(frames->results(ticket))->binding().levelTimes();
+    if (!times) return tl::unexpected(times.error());
     return {};
   }
 
@@ -92,7 +95,15 @@ TEST_F(TileFramesTest, AllocateNothingOnceTheyAreWarm) {
   EXPECT_EQ(counting.calls(), before);
 }
 
-TEST_F(TileFramesTest, EachCallThatFailsIsAnErrorAndLeavesNothingBehind) {
+struct Fault {
+  const char* name;
+  VkResult result;
+  ErrorCode code;
+};
+
+class TileFaultsTest : public TileFramesTest, public testing::WithParamInterface<Fault> {};
+
+TEST_P(TileFaultsTest, EachCallThatFailsIsAnErrorAndLeavesNothingBehind) {
   Spy spy(context->device());
   auto on = must(Osd::VulkanEvaluator::create(spy.device(), {.stageEverything = true}));
   must(play(on));
@@ -101,7 +112,7 @@ TEST_F(TileFramesTest, EachCallThatFailsIsAnErrorAndLeavesNothingBehind) {
   std::map<std::string, int> failed;
   for (const std::string& function : Spy::fallible()) {
     for (int call = 1;; ++call, ++failed[function]) {
-      spy.fail(function, call, VK_ERROR_OUT_OF_HOST_MEMORY);
+      spy.fail(function, call, GetParam().result);
       const auto played = play(on);
       EXPECT_EQ(spy.alive(), resting) << function << " " << call;
       if (!spy.struck()) break;
@@ -109,14 +120,43 @@ TEST_F(TileFramesTest, EachCallThatFailsIsAnErrorAndLeavesNothingBehind) {
       const bool recovers =
           function == "vkAllocateMemory" || function == "vkMapMemory" || function == "vkWaitSemaphores";
       EXPECT_TRUE(!played || recovers) << function << " " << call;
+      EXPECT_EQ(played ? GetParam().code : played.error().code, GetParam().code) << function << " " << call;
     }
   }
   EXPECT_EQ(failed["vkCreateBufferView"], 3) << "the table, and in each frame the tiles' points";
-  for (const char* one : {"vkCreateBuffer", "vkBindBufferMemory", "vkCreateDescriptorPool", "vkQueueSubmit"}) {
+  for (const char* one : {"vkCreateBuffer", "vkBindBufferMemory", "vkCreateDescriptorPool", "vkQueueSubmit",
+                          "vkCreateQueryPool", "vkGetQueryPoolResults", "vkWaitForFences", "vkWaitSemaphores"}) {
     EXPECT_GT(failed[one], 0) << one;
   }
   spy.fail("none", 1, VK_SUCCESS);
   must(play(on));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, TileFaultsTest,
+                         testing::Values(Fault{"DeviceLost", VK_ERROR_DEVICE_LOST, ErrorCode::deviceLost},
+                                         Fault{"OutOfHostMemory", VK_ERROR_OUT_OF_HOST_MEMORY, ErrorCode::outOfMemory}),
+                         [](const testing::TestParamInfo<Fault>& one) { return one.param.name; });
+
+TEST_F(TileFramesTest, AfterALostDeviceTheCpuGoesOnAndTheTilesAreUploadedToANewOne) {
+  {
+    Spy spy(context->device());
+    auto lost = must(Osd::VulkanEvaluator::create(spy.device()));
+    spy.fail("vkQueueSubmit", 2, VK_ERROR_DEVICE_LOST);
+    const auto played = play(lost);
+    ASSERT_FALSE(played);
+    EXPECT_EQ(played.error().code, ErrorCode::deviceLost);
+  }
+  std::vector<float> points(at(run.layouts.refined.extent(refinement.last().pointCount()))), normals(points);
+  must(Osd::TileEvaluator().evaluate<float>(refinement, tiles, 3, {control, {}}, {points, {}},
+                                            {.normals = {normals, {}}}));
+  EXPECT_TRUE(sameBits(chained(refinement, 3, run.layouts, control), points));
+  EXPECT_TRUE(sameBits(chainedNormals(refinement, run, control, points), normals));
+  auto another = must(Osd::VulkanContext::create({.validation = validationWanted()}));
+  {
+    auto on = must(Osd::VulkanEvaluator::create(another.device()));
+    must(play(on));
+  }
+  EXPECT_THAT(another.messages(), testing::IsEmpty());
 }
 
 TEST_F(TileFramesTest, APipelineThatCantBeCompiledIsAnErrorAndIsTriedAgain) {
