@@ -8,6 +8,7 @@
 
 #include "osd/vulkan/commands.h"
 #include "osd/vulkan/errors.h"
+#include "osd/vulkan/guard.h"
 #include "osd/vulkan/texels.h"
 
 namespace honeycomb::Osd {
@@ -259,6 +260,10 @@ Result<std::vector<LevelTime>> VulkanBinding::levelTimes() const {
                 "the times of levels are wanted of a binding without timing: set "
                 "VulkanBindingOptions::timing");
   }
+  return guarded([&] { return timesOfParts(); });
+}
+
+Result<std::vector<LevelTime>> VulkanBinding::timesOfParts() const {
   const auto milliseconds = timer_->milliseconds();
   if (!milliseconds) return tl::unexpected(milliseconds.error());
   const auto levels = static_cast<std::int32_t>(table_.state_->levelEnds.size());

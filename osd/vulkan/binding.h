@@ -53,7 +53,7 @@ class VulkanBinding {
   /// was recorded has old kernels, record() takes the new. Errors: invalidFile.
   Result<std::uint64_t> refreshKernels() const { return pipelines_->refresh(); }
   /// What each level took on the device in the last frame recorded with this binding, which must have run. Errors:
-  /// invalidOption without VulkanBindingOptions::timing, or before the first frame; deviceLost.
+  /// invalidOption without VulkanBindingOptions::timing, or before the first frame; deviceLost, outOfMemory.
   Result<std::vector<LevelTime>> levelTimes() const;
   /// Bytes of device memory for levels in between.
   std::uint64_t scratchBytes() const;
@@ -78,6 +78,7 @@ class VulkanBinding {
   VkDescriptorBufferInfo bufferOf(const TableStage& stage, const BoundRange& range) const;
   VkDescriptorBufferInfo pageOf(const TableStage& stage, std::uint32_t page) const;
   Result<void> makeTimer();
+  Result<std::vector<LevelTime>> timesOfParts() const;
   void barrier(VkCommandBuffer commands) const;
 
   std::shared_ptr<const VulkanCore> core_;

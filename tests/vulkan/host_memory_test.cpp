@@ -1,14 +1,15 @@
 // Memory of the host runs out at each allocation in turn: an error, nothing left behind, no exception.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <new>
+#include <utility>
 
-#include "fixture.h"
-#include "osd/vulkan/session.h"
-#include "runs.h"
+#include "osd/vulkan/frames.h"
 #include "spy.h"
-#include "tests/support/random_tables.h"
+#include "tile_fixture.h"
 
 namespace {
 
@@ -93,6 +94,79 @@ TEST_F(HostMemoryTest, EachAllocationThatFailsIsAnErrorAndLeavesNothingBehind) {
   auto evaluator = Osd::VulkanEvaluator::create(spy.device());
   ASSERT_TRUE(evaluator);
   EXPECT_TRUE(agrees(*evaluator, levels, {}, {}));
+}
+
+// Uploads of refinements and frames in flight, on one evaluator: what it has compiled it keeps.
+class HostMemoryOfFramesTest : public TilesTest {
+ protected:
+  using Upload = std::function<Result<Osd::VulkanTable>(Osd::VulkanEvaluator&)>;
+
+  // Three frames, and whether the normals of the last are right.
+  Result<bool> play(Osd::VulkanEvaluator& on, const Upload& upload) const {
+    const auto table = upload(on);
+    if (!table) return tl::unexpected(table.error());
+    auto frames = Osd::VulkanFrames::create(on, *table, {.framesInFlight = 2, .frame = {.timing = true}});
+    if (!frames) return tl::unexpected(frames.error());
+    Osd::VulkanTicket ticket;
+    for (int frame = 0; frame < 3; ++frame) {
+      const auto sent = frames->submit(control);
+      if (!sent) return tl::unexpected(sent.error());
+      ticket = *sent;
+    }
+    if (const auto done = frames->wait(ticket); !done) return tl::unexpected(done.error());
+    const auto slot = frames->results(ticket);
+    if (!slot) return tl::unexpected(slot.error());
+    const auto times = (*slot)->binding().levelTimes();
+    if (!times) return tl::unexpected(times.error());
+    const auto normals = (*slot)->numbers(Osd::PointBuffer::vertexNormals);
+    return std::ranges::equal(expected, normals);
+  }
+
+  // Fails each allocation in turn; returns how many there are.
+  int failEachAllocation(const Upload& upload) {
+    Spy spy(context->device());
+    int failures = 0;
+    {
+      auto on = must(Osd::VulkanEvaluator::create(spy.device(), {.stageEverything = true}));
+      for (;; ++failures) {
+        allocationsLeft = failures + 1;
+        const auto right = play(on, upload);
+        const bool complete = std::exchange(allocationsLeft, 0) > 0;
+        EXPECT_EQ(right.has_value(), complete) << "allocation " << failures + 1;
+        if (complete) {
+          EXPECT_TRUE(right && *right);
+          break;
+        }
+        EXPECT_EQ(right ? ErrorCode{} : right.error().code, ErrorCode::outOfMemory);
+        EXPECT_EQ(on.core()->pool->usage().used, 0U) << "allocation " << failures + 1;
+      }
+    }
+    EXPECT_EQ(spy.alive(), 0);
+    return failures;
+  }
+
+  const Far::Refinement refinement = aklemanOf(Meshes::prism(70), 2);
+  const TileRun run{.kind = Far::TileNormalKind::fast, .normals = kNormals[0]};
+  const std::vector<float> control = controlOf(refinement, run.layouts, 1);
+  const std::vector<float> expected =
+      chainedNormals(refinement, run, control, chained(refinement, 2, run.layouts, control));
+};
+
+TEST_F(HostMemoryOfFramesTest, EachAllocationOfLevelsWithNormalsThatFailsIsAnError) {
+  EXPECT_GT(failEachAllocation([&](Osd::VulkanEvaluator& on) {
+              return on.upload(refinement,
+                               {.vertexLimits = {.normals = run.normals}, .normalKind = Far::TileNormalKind::fast});
+            }),
+            50);
+}
+
+TEST_F(HostMemoryOfFramesTest, EachAllocationOfTilesThatFailsIsAnError) {
+  const Far::TileTable tiles =
+      must(Far::buildTileTable(refinement, {.scratchPoints = 300, .normals = Far::TileNormalKind::fast}));
+  ASSERT_FALSE(tiles.shared.empty());
+  EXPECT_GT(
+      failEachAllocation([&](Osd::VulkanEvaluator& on) { return on.uploadTiles(refinement, tiles, optionsOf(run)); }),
+      100);
 }
 
 }  // namespace
