@@ -166,28 +166,26 @@ Result<void> CpuEvaluator::evaluate(const Far::LevelTable& table, const Points<R
 }
 
 template <class Real>
-Result<void> CpuEvaluator::evaluate(const Far::Refinement& refinement, std::int32_t level, const Points<Real>& control,
+Result<void> CpuEvaluator::evaluate(Far::LevelTables levels, std::int32_t level, const Points<Real>& control,
                                     const PointsOut<Real>& refined) {
-  if (level < 1 || level > refinement.levelCount()) {
+  if (level < 1 || level > levels.levelCount()) {
     return fail(ErrorCode::invalidOption,
-                fmt::format("level {} is out of range; use 1 to {}", level, refinement.levelCount()));
+                fmt::format("level {} is out of range; use 1 to {}", level, levels.levelCount()));
   }
-  if (auto ok = checkPoints(control, refinement.level(1).table.sourceCount, refined,
-                            refinement.level(level).table.targetCount);
-      !ok) {
+  if (auto ok = checkPoints(control, levels.table(1).sourceCount, refined, levels.table(level).targetCount); !ok) {
     return ok;
   }
   const BufferDescriptor between = scratchDescriptor(instructions_, control.desc.length);
   Points<Real> source = control;
   for (std::int32_t k = 1; k < level; ++k) {
-    const Far::LevelTable& table = refinement.level(k).table;
+    const Far::LevelTable& table = levels.table(k);
     std::vector<Real>& points = scratch<Real>(k % 2);
     const std::size_t size = at(table.targetCount) * at(between.stride);
     if (points.size() < size) points.resize(size);
     evaluateLevel(threads_, instructions_, table, source, PointsOut<Real>{points, between}, between.stride >= kPiece);
     source = {points, between};
   }
-  evaluateLevel(threads_, instructions_, refinement.level(level).table, source, refined);
+  evaluateLevel(threads_, instructions_, levels.table(level), source, refined);
   return {};
 }
 
@@ -234,7 +232,7 @@ Result<void> CpuEvaluator::evaluate(const Far::StencilTable& table, const Points
 
 #define HONEYCOMB_INSTANTIATE(Real)                                                                                   \
   template Result<void> CpuEvaluator::evaluate(const Far::LevelTable&, const Points<Real>&, const PointsOut<Real>&);  \
-  template Result<void> CpuEvaluator::evaluate(const Far::Refinement&, std::int32_t, const Points<Real>&,             \
+  template Result<void> CpuEvaluator::evaluate(Far::LevelTables, std::int32_t, const Points<Real>&,                   \
                                                const PointsOut<Real>&);                                               \
   template Result<void> CpuEvaluator::vertexLimits(const Far::LimitTable&, const Points<Real>&,                       \
                                                    const PointsOut<Real>&, const PointsOut<Real>&);                   \

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "far/base/result.h"
-#include "far/tables/refinement.h"
+#include "far/tables/level_tables.h"
 #include "far/tables/stencil_table.h"
 #include "osd/buffer_descriptor.h"
 
@@ -28,7 +28,7 @@ class CpuEvaluator {
 
   /// From the control points to level `level` (1..levelCount) of a refinement.
   template <class Real>
-  Result<void> evaluate(const Far::Refinement& refinement, std::int32_t level, const Points<Real>& control,
+  Result<void> evaluate(Far::LevelTables levels, std::int32_t level, const Points<Real>& control,
                         const PointsOut<Real>& refined);
 
   /// Limit positions (length 3) and unit normals (length 3) of all vertices of the level the limits were built for,

@@ -26,12 +26,11 @@ void split(CpuEvaluator::Threads threads, std::int64_t count, const Body& body) 
 }  // namespace
 
 template <class Real>
-Result<void> NormalEvaluator::evaluate(const Far::Refinement& refinement, const Far::NormalTable& table,
+Result<void> NormalEvaluator::evaluate(Far::LevelTables levels, const Far::NormalTable& table,
                                        const Points<Real>& control, const PointsOut<Real>& refined,
                                        const PointsOut<Real>& normals) {
   const std::int32_t last = table.level;
-  if (auto ok = checkPoints(control, refinement.level(0).pointCount(), refined, refinement.level(last).pointCount());
-      !ok) {
+  if (auto ok = checkPoints(control, levels.pointCount(0), refined, levels.pointCount(last)); !ok) {
     return ok;
   }
   if (auto ok = checkNormals(control, normals, std::ssize(table.offsets) - 1); !ok) return ok;
@@ -48,7 +47,7 @@ Result<void> NormalEvaluator::evaluate(const Far::Refinement& refinement, const 
         Kernels::frames(table.frames[at(k)], batch, in, View<Real>{nullptr, 0}, born, begin, end);
       });
     }
-    const Far::LevelTable& step = refinement.level(k + 1).table;
+    const Far::LevelTable& step = levels.table(k + 1);
     std::vector<Real>& next = points[k % 2];
     if (k + 1 < last) next.resize(at(length) * at(step.targetCount));
     const PointsOut<Real> target = k + 1 < last ? PointsOut<Real>{next, packed} : refined;
@@ -67,10 +66,9 @@ Result<void> NormalEvaluator::evaluate(const Far::Refinement& refinement, const 
   return {};
 }
 
-#define HONEYCOMB_INSTANTIATE(Real)                                                                \
-  template Result<void> NormalEvaluator::evaluate(const Far::Refinement&, const Far::NormalTable&, \
-                                                  const Points<Real>&, const PointsOut<Real>&,     \
-                                                  const PointsOut<Real>&);
+#define HONEYCOMB_INSTANTIATE(Real)                                                                               \
+  template Result<void> NormalEvaluator::evaluate(Far::LevelTables, const Far::NormalTable&, const Points<Real>&, \
+                                                  const PointsOut<Real>&, const PointsOut<Real>&);
 HONEYCOMB_INSTANTIATE(float)
 HONEYCOMB_INSTANTIATE(double)
 #undef HONEYCOMB_INSTANTIATE

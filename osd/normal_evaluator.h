@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "far/base/result.h"
+#include "far/tables/level_tables.h"
 #include "far/tables/normal_rule.h"
-#include "far/tables/refinement.h"
 #include "osd/buffer_descriptor.h"
 #include "osd/cpu_evaluator.h"
 
@@ -21,7 +21,7 @@ class NormalEvaluator {
   /// From the control points (length 3 or 4) to the points and unit normals (length 3) of level table.level; a zero
   /// vector where there is no direction. Errors: buffers too small, other lengths.
   template <class Real>
-  Result<void> evaluate(const Far::Refinement& refinement, const Far::NormalTable& table, const Points<Real>& control,
+  Result<void> evaluate(Far::LevelTables levels, const Far::NormalTable& table, const Points<Real>& control,
                         const PointsOut<Real>& refined, const PointsOut<Real>& normals);
 
  private:

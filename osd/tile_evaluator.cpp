@@ -71,14 +71,13 @@ Result<void> TileEvaluator::check(const Far::TileTable& tiles, std::int32_t leve
 }
 
 template <class Real>
-Result<void> TileEvaluator::evaluate(const Far::Refinement& refinement, const Far::TileTable& tiles, std::int32_t level,
+Result<void> TileEvaluator::evaluate(Far::LevelTables levels, const Far::TileTable& tiles, std::int32_t level,
                                      const Points<Real>& control, const PointsOut<Real>& refined,
                                      const TileRequest<Real>& request) {
   if (auto ok = check(tiles, level, control, refined, request); !ok) return ok;
-  if (level <= tiles.rootLevel) return chained_.evaluate(refinement, level, control, refined);
+  if (level <= tiles.rootLevel) return chained_.evaluate(levels, level, control, refined);
   Memory<Real>& memory = this->memory<Real>();
-  if (auto done = memory.shared.evaluate(chained_, refinement, tiles, level, control, refined, request.normals);
-      !done) {
+  if (auto done = memory.shared.evaluate(chained_, levels, tiles, level, control, refined, request.normals); !done) {
     return done;
   }
   const std::int64_t count = request.only ? std::ssize(*request.only) : std::ssize(tiles.tiles);
@@ -132,9 +131,9 @@ void TileEvaluator::evaluateTile(const Far::TileTable& tiles, std::int32_t numbe
   Kernels::evaluateTileNormals(tiles, number, scratch.points, views);
 }
 
-#define HONEYCOMB_INSTANTIATE(Real)                                                                          \
-  template Result<void> TileEvaluator::evaluate(const Far::Refinement&, const Far::TileTable&, std::int32_t, \
-                                                const Points<Real>&, const PointsOut<Real>&,                 \
+#define HONEYCOMB_INSTANTIATE(Real)                                                                    \
+  template Result<void> TileEvaluator::evaluate(Far::LevelTables, const Far::TileTable&, std::int32_t, \
+                                                const Points<Real>&, const PointsOut<Real>&,           \
                                                 const TileRequest<Real>&);
 HONEYCOMB_INSTANTIATE(float)
 HONEYCOMB_INSTANTIATE(double)

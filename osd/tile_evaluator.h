@@ -7,7 +7,7 @@
 
 #include "far/base/pool.h"
 #include "far/base/result.h"
-#include "far/tables/refinement.h"
+#include "far/tables/level_tables.h"
 #include "far/tables/tile_table.h"
 #include "osd/buffer_descriptor.h"
 #include "osd/cpu_evaluator.h"
@@ -48,7 +48,7 @@ class TileEvaluator {
   /// Errors: invalidOption for a level out of range, for TileOrder::tiles or normals a level before the last, buffers
   /// too small, tiles chosen that there aren't or out of order.
   template <class Real>
-  Result<void> evaluate(const Far::Refinement& refinement, const Far::TileTable& tiles, std::int32_t level,
+  Result<void> evaluate(Far::LevelTables levels, const Far::TileTable& tiles, std::int32_t level,
                         const Points<Real>& control, const PointsOut<Real>& refined,
                         const TileRequest<Real>& request = {});
 

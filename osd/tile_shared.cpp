@@ -10,15 +10,15 @@
 namespace honeycomb::Osd {
 
 template <class Real>
-Result<void> TileShared<Real>::evaluate(CpuEvaluator& evaluator, const Far::Refinement& refinement,
-                                        const Far::TileTable& tiles, std::int32_t level, const Points<Real>& control,
-                                        const PointsOut<Real>& refined, const PointsOut<Real>& normals) {
+Result<void> TileShared<Real>::evaluate(CpuEvaluator& evaluator, Far::LevelTables levels, const Far::TileTable& tiles,
+                                        std::int32_t level, const Points<Real>& control, const PointsOut<Real>& refined,
+                                        const PointsOut<Real>& normals) {
   const auto wanted = [&](Far::TileNormalKind kind) { return !normals.data.empty() && tiles.normalKind == kind; };
   const bool fast = wanted(Far::TileNormalKind::fast);
   const bool exact = wanted(Far::TileNormalKind::exact);
   normals_.resize(fast ? 3 * at(tiles.normals.sharedCount) : 0);
   root_ = control;
-  if (auto done = evaluateRoot(evaluator, refinement, tiles, fast); !done) return done;
+  if (auto done = evaluateRoot(evaluator, levels, tiles, fast); !done) return done;
   if (tiles.shared.empty()) return {};
   if (auto done = evaluateSets(evaluator, tiles, level, exact ? level + 1 : level, refined); !done) return done;
   const std::int32_t length = control.desc.length;
@@ -32,12 +32,12 @@ Result<void> TileShared<Real>::evaluate(CpuEvaluator& evaluator, const Far::Refi
 }
 
 template <class Real>
-Result<void> TileShared<Real>::evaluateRoot(CpuEvaluator& evaluator, const Far::Refinement& refinement,
+Result<void> TileShared<Real>::evaluateRoot(CpuEvaluator& evaluator, Far::LevelTables levels,
                                             const Far::TileTable& tiles, bool normals) {
   const std::int32_t length = root_.desc.length;
   for (std::int32_t k = 0; k <= tiles.rootLevel; ++k) {
     if (k > 0) {
-      const Far::LevelTable& table = refinement.level(k).table;
+      const Far::LevelTable& table = levels.table(k);
       std::vector<Real>& points = levels_[k % 2];
       points.resize(at(table.targetCount) * at(length));
       const BufferDescriptor packed{0, length, length};

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "far/base/result.h"
-#include "far/tables/refinement.h"
+#include "far/tables/level_tables.h"
 #include "far/tables/tile_table.h"
 #include "osd/buffer_descriptor.h"
 #include "osd/cpu_evaluator.h"
@@ -19,7 +19,7 @@ class TileShared {
  public:
   /// Up to level `level`; the points that no tile writes go to `refined` and their normals to `normals`, unless that
   /// is empty.
-  Result<void> evaluate(CpuEvaluator& evaluator, const Far::Refinement& refinement, const Far::TileTable& tiles,
+  Result<void> evaluate(CpuEvaluator& evaluator, Far::LevelTables levels, const Far::TileTable& tiles,
                         std::int32_t level, const Points<Real>& control, const PointsOut<Real>& refined,
                         const PointsOut<Real>& normals);
 
@@ -28,7 +28,7 @@ class TileShared {
   const std::vector<Real>& normals() const { return normals_; }
 
  private:
-  Result<void> evaluateRoot(CpuEvaluator& evaluator, const Far::Refinement& refinement, const Far::TileTable& tiles,
+  Result<void> evaluateRoot(CpuEvaluator& evaluator, Far::LevelTables levels, const Far::TileTable& tiles,
                             bool normals);
   Result<void> evaluateSets(CpuEvaluator& evaluator, const Far::TileTable& tiles, std::int32_t level, std::int32_t last,
                             const PointsOut<Real>& refined);

@@ -21,8 +21,8 @@ void append(Far::LevelTable& table, const Far::LevelTable& more) {
   for (std::size_t r = 1; r < more.loose.offsets.size(); ++r)
     table.loose.offsets.push_back(entries + more.loose.offsets[r]);
   table.indices.edit().append(more.indices.begin(), more.indices.end());
-  table.weights.insert(table.weights.end(), more.weights.begin(), more.weights.end());
-  table.weightsSingle.insert(table.weightsSingle.end(), more.weightsSingle.begin(), more.weightsSingle.end());
+  table.weights.append(more.weights.begin(), more.weights.end());
+  table.weightsSingle.append(more.weightsSingle.begin(), more.weightsSingle.end());
   table.targetCount += more.targetCount;
 }
 

@@ -4,7 +4,10 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <iterator>
+#include <memory>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -19,6 +22,9 @@ void freeBytes(void* block, std::size_t bytes) noexcept;
 /// A std::vector of plain numbers whose resize(n) and Array(n) leave new elements as the memory is: for the large
 /// arrays that a parallel loop writes once, so that the threads that write touch the memory first. (A std::vector with
 /// such an allocator still runs an empty loop over its elements when it grows and when it goes, under gcc 12.)
+///
+/// An array may also stand for memory of somebody else's, such as a mapped file (inPlaceOf): it is read like others and
+/// costs nothing to make. Its elements must not be written to; what changes its size takes a copy first.
 template <class T>
 class Array {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -31,6 +37,7 @@ class Array {
   Array() = default;
   explicit Array(std::size_t count) { resize(count); }
   Array(std::size_t count, T value) { resize(count, value); }
+  Array(std::initializer_list<T> values) : Array(values.begin(), values.end()) {}
   template <std::forward_iterator Iterator>
   Array(Iterator first, Iterator last) {
     append(first, last);
@@ -45,19 +52,32 @@ class Array {
     Array(std::move(other)).swap(*this);
     return *this;
   }
-  ~Array() { freeBytes(data_, capacity_ * sizeof(T)); }
+  ~Array() { release(); }
+
+  /// The elements `values` where they are, which `keeper` (not null) keeps there. Moved they stay there, copied they
+  /// are the copy's own.
+  static Array inPlaceOf(std::span<const T> values, std::shared_ptr<const void> keeper) {
+    assert(keeper != nullptr);
+    Array array;
+    array.data_ = const_cast<T*>(values.data());
+    array.size_ = values.size();
+    array.keeper_ = std::move(keeper);
+    return array;
+  }
+  /// Is this memory of somebody else's?
+  bool inPlace() const { return keeper_ != nullptr; }
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
-  T* data() { return data_; }
+  T* data() { return own(); }
   const T* data() const { return data_; }
-  T* begin() { return data_; }
-  T* end() { return data_ + size_; }
+  T* begin() { return own(); }
+  T* end() { return own() + size_; }
   const T* begin() const { return data_; }
   const T* end() const { return data_ + size_; }
   T& operator[](std::size_t i) {
     assert(i < size_);
-    return data_[i];
+    return own()[i];
   }
   const T& operator[](std::size_t i) const {
     assert(i < size_);
@@ -71,8 +91,10 @@ class Array {
   void reserve(std::size_t capacity) {
     if (capacity <= capacity_) return;
     T* data = static_cast<T*>(allocateBytes(capacity * sizeof(T)));
-    std::copy(begin(), end(), data);
-    freeBytes(std::exchange(data_, data), std::exchange(capacity_, capacity) * sizeof(T));
+    std::copy(data_, data_ + size_, data);
+    release();
+    data_ = data;
+    capacity_ = capacity;
   }
   /// New elements are not initialised.
   void resize(std::size_t size) {
@@ -83,7 +105,7 @@ class Array {
   void resize(std::size_t size, T value) {
     const std::size_t old = size_;
     resize(size);
-    if (old < size) std::fill(begin() + old, end(), value);
+    if (old < size) std::fill(data_ + old, data_ + size, value);
   }
   void push_back(T value) {
     resize(size_ + 1);
@@ -94,7 +116,7 @@ class Array {
   void append(Iterator first, Iterator last) {
     const std::size_t old = size_;
     resize(old + static_cast<std::size_t>(std::distance(first, last)));
-    std::copy(first, last, begin() + old);
+    std::copy(first, last, data_ + old);
   }
   template <std::forward_iterator Iterator>
   void assign(Iterator first, Iterator last) {
@@ -106,13 +128,24 @@ class Array {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
     std::swap(capacity_, other.capacity_);
+    std::swap(keeper_, other.keeper_);
   }
   friend bool operator==(const Array& a, const Array& b) { return std::equal(a.begin(), a.end(), b.begin(), b.end()); }
 
  private:
+  T* own() {
+    assert(!inPlace() || size_ == 0);
+    return data_;
+  }
+  void release() noexcept {
+    if (!inPlace()) freeBytes(data_, capacity_ * sizeof(T));
+    keeper_ = nullptr;
+  }
+
   T* data_ = nullptr;
   std::size_t size_ = 0;
-  std::size_t capacity_ = 0;
+  std::size_t capacity_ = 0;              // none of memory that isn't ours
+  std::shared_ptr<const void> keeper_{};  // of memory that isn't ours
 };
 
 }  // namespace honeycomb

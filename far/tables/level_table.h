@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "far/base/array.h"
 #include "far/base/shared_array.h"
 
 namespace honeycomb::Far {
@@ -90,8 +91,8 @@ constexpr std::int32_t kWidestDense = 16;
 /// `indices` and `weights` are ranges of the level's arrays: entry b is indices[firstIndex + b] and weight[firstWeight
 /// + b].
 struct LooseRows {
-  std::vector<std::int32_t> outputs;     ///< output point of each row
-  std::vector<std::int32_t> offsets{0};  ///< rows + 1
+  Array<std::int32_t> outputs;     ///< output point of each row
+  Array<std::int32_t> offsets{0};  ///< rows + 1
   std::int32_t firstIndex = 0;
   std::int32_t firstWeight = 0;
   std::int32_t rowCount() const { return static_cast<std::int32_t>(outputs.size()); }
@@ -105,9 +106,9 @@ struct LooseRows {
 /// shares alone.
 struct SummedRows {
   LooseRows rows;
-  std::vector<std::int32_t> shareOffsets{0};  ///< rows + 1
-  std::vector<std::int32_t> faces;            ///< in LevelTable::projected, of each share
-  std::int32_t firstShare = 0;                ///< in the weights
+  Array<std::int32_t> shareOffsets{0};  ///< rows + 1
+  Array<std::int32_t> faces;            ///< in LevelTable::projected, of each share
+  std::int32_t firstShare = 0;          ///< in the weights
   std::int32_t rowCount() const { return rows.rowCount(); }
 };
 
@@ -122,8 +123,8 @@ struct LevelTable {
   SummedRows summed;
   LooseRows loose;
   SharedArray<std::int32_t> indices;  ///< source points, of all batches; perhaps the corners of the level before
-  std::vector<double> weights;        ///< of all batches
-  std::vector<float> weightsSingle;   ///< the same, rounded
+  Array<double> weights;              ///< of all batches
+  Array<float> weightsSingle;         ///< the same, rounded
 
   /// The weights in the precision of the points.
   template <class Real>

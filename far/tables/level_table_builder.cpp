@@ -57,7 +57,7 @@ class Builder {
   std::int32_t weightCount() const { return static_cast<std::int32_t>(table_.weights.size()); }
   std::int32_t addWeights(const std::vector<double>& weights) {
     const std::int32_t first = weightCount();
-    table_.weights.insert(table_.weights.end(), weights.begin(), weights.end());
+    table_.weights.append(weights.begin(), weights.end());
     return first;
   }
 

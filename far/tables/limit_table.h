@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "far/base/array.h"
 #include "far/tables/level_table.h"
 
 namespace honeycomb::Far {
@@ -29,10 +30,10 @@ struct LimitRows {
   std::int32_t sourceCount = 0;   ///< points read
   std::int32_t elementCount = 0;  ///< results written
   std::vector<FrameBatch> batches;
-  std::vector<std::int32_t> elements;  ///< result index of each element, batch after batch
-  std::vector<std::int32_t> indices;
-  std::vector<double> weights;
-  std::vector<float> weightsSingle;
+  Array<std::int32_t> elements;  ///< result index of each element, batch after batch
+  Array<std::int32_t> indices;
+  Array<double> weights;
+  Array<float> weightsSingle;
 
   template <class Real>
   std::span<const Real> weightsAs() const;

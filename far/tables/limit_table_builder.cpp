@@ -69,14 +69,14 @@ class RowsBuilder {
                              static_cast<std::int32_t>(rows_.elements.size()),
                              static_cast<std::int32_t>(rows_.weights.size())});
     for (const auto* row : {&frame.position, &frame.tangent1, &frame.tangent2}) {
-      rows_.weights.insert(rows_.weights.end(), row->begin(), row->end());
+      rows_.weights.append(row->begin(), row->end());
     }
   }
 
   void addElement(std::int32_t element, const std::vector<std::int32_t>& points) {
     ++rows_.batches.back().count;
     rows_.elements.push_back(element);
-    rows_.indices.insert(rows_.indices.end(), points.begin(), points.end());
+    rows_.indices.append(points.begin(), points.end());
   }
 
   /// All faces of a run, element e(f) for face f; points in loop order, then the central control vertex where the

@@ -40,7 +40,7 @@ LocalRow localRow(const Sides& sides, const PatchRow& row) {
   return withoutZeros(pointWeights(sides, row));
 }
 
-Result<std::vector<std::int32_t>> rowOffsets(std::span<const PlacedRow> rows) {
+Result<Array<std::int32_t>> rowOffsets(std::span<const PlacedRow> rows) {
   constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
   std::int64_t total = 0;
   for (const PlacedRow& placed : rows) total += static_cast<std::int64_t>(placed.row->points.size());
@@ -49,7 +49,7 @@ Result<std::vector<std::int32_t>> rowOffsets(std::span<const PlacedRow> rows) {
                 fmt::format("the stencils of {} points of the surface hold {} weights, more than 2^31 - 1; take fewer "
                             "points at a time",
                             rows.size(), total));
-  std::vector<std::int32_t> offsets{0};
+  Array<std::int32_t> offsets{0};
   offsets.reserve(rows.size() + 1);
   for (const PlacedRow& placed : rows) {
     offsets.push_back(offsets.back() + static_cast<std::int32_t>(placed.row->points.size()));
@@ -59,7 +59,7 @@ Result<std::vector<std::int32_t>> rowOffsets(std::span<const PlacedRow> rows) {
 
 /// Row i writes point i.
 Result<LevelTable> looseTable(const PatchTable& patches, std::span<const PlacedRow> rows) {
-  Result<std::vector<std::int32_t>> offsets = rowOffsets(rows);
+  Result<Array<std::int32_t>> offsets = rowOffsets(rows);
   if (!offsets) return tl::unexpected(offsets.error());
   LevelTable table;
   table.sourceCount = patches.topology().vertexCount();

@@ -126,7 +126,7 @@ class Replacement {
     table_.indices.edit().resize(at(old.firstIndex));
     table_.weights.resize(at(old.firstWeight));
     table_.indices.edit().append(indices.begin(), indices.end());
-    table_.weights.insert(table_.weights.end(), weights.begin(), weights.end());
+    table_.weights.append(weights.begin(), weights.end());
     table_.loose = std::move(loose);
   }
 

@@ -115,7 +115,7 @@ void RowWriter::addDense(const Run& run, std::int32_t firstOutput) {
   table_.dense.push_back({run.width, static_cast<std::int32_t>(run.end - run.begin),
                           static_cast<std::int32_t>(run.firstIndex), firstOutput + static_cast<std::int32_t>(run.begin),
                           static_cast<std::int32_t>(table_.weights.size())});
-  table_.weights.insert(table_.weights.end(), run.weights, run.weights + run.width);
+  table_.weights.append(run.weights, run.weights + run.width);
 }
 
 /// Decides which runs are dense, and makes room for all.
@@ -175,7 +175,7 @@ void RowWriter::finish() {
   table_.loose.firstWeight = static_cast<std::int32_t>(table_.weights.size());
   if (looseIndices_.empty()) return;
   table_.indices.edit().append(looseIndices_.begin(), looseIndices_.end());
-  table_.weights.insert(table_.weights.end(), looseWeights_.begin(), looseWeights_.end());
+  table_.weights.append(looseWeights_.begin(), looseWeights_.end());
 }
 
 }  // namespace honeycomb::Far

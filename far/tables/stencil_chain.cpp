@@ -83,10 +83,13 @@ bool StencilChain::fold(std::span<const std::int32_t> outputs, std::int64_t most
     LevelTable folded;
     folded.sourceCount = chain_.back()->table().sourceCount;
     folded.targetCount = chain_[step]->rowCount();
-    folded.loose.outputs = std::move(targets[step - 1]);
-    if (!countEntries(start, folded.loose.outputs, most, entries)) return false;
-    fillEntries<1>(start, folded.loose.outputs, entries, {&folded.weights});
-    folded.loose.offsets = std::move(entries.offsets);
+    const std::vector<std::int32_t>& target = targets[step - 1];
+    if (!countEntries(start, target, most, entries)) return false;
+    std::vector<double> weights;
+    fillEntries<1>(start, target, entries, {&weights});
+    folded.loose.outputs.assign(target.begin(), target.end());
+    folded.loose.offsets.assign(entries.offsets.begin(), entries.offsets.end());
+    folded.weights.assign(weights.begin(), weights.end());
     folded.indices = std::move(entries.indices);
     folded_ = std::move(folded);
     foldedRows_ = std::make_unique<LevelRows>(folded_);

@@ -127,7 +127,7 @@ LevelTable StencilTable::asLevelTable(StencilWeights which) const {
   table.targetCount = rowCount();
   table.loose.outputs.resize(outputs.size());
   std::iota(table.loose.outputs.begin(), table.loose.outputs.end(), 0);
-  table.loose.offsets = offsets;
+  table.loose.offsets.assign(offsets.begin(), offsets.end());
   table.indices = indices;
   const std::span<const double> exact = weightsAs<double>(which);
   const std::span<const float> single = weightsAs<float>(which);

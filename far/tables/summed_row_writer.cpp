@@ -44,9 +44,9 @@ void SummedRowWriter::finish() {
   table_.summed.rows.firstIndex = static_cast<std::int32_t>(table_.indices.size());
   table_.summed.rows.firstWeight = static_cast<std::int32_t>(table_.weights.size());
   if (!indices_.empty()) table_.indices.edit().append(indices_.begin(), indices_.end());
-  table_.weights.insert(table_.weights.end(), weights_.begin(), weights_.end());
+  table_.weights.append(weights_.begin(), weights_.end());
   table_.summed.firstShare = static_cast<std::int32_t>(table_.weights.size());
-  table_.weights.insert(table_.weights.end(), shares_.begin(), shares_.end());
+  table_.weights.append(shares_.begin(), shares_.end());
 }
 
 }  // namespace honeycomb::Far

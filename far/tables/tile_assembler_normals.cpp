@@ -44,7 +44,7 @@ void TileAssembler::addNormalFaces(const UnitBatch& batch, std::span<const std::
                                    TileParts& parts) const {
   const LevelUnits& last = plan_.units.level(plan_.units.last());
   const NormalRule& rule = plan_.normals->rule();
-  std::vector<TilePoint>& faces = parts.normals.faces;
+  Array<TilePoint>& faces = parts.normals.faces;
   const auto add = [&](std::int32_t normal) { faces.push_back(tilePoint(normalsHeld_[at(normal)].number)); };
   for (const std::int32_t unit : units) {
     const std::int32_t first = last.firstOutput(batch, unit);

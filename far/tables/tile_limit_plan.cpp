@@ -93,8 +93,8 @@ void TileLimitPlan::share(const TileSharing& sharing) {
 
 void TileLimitPlan::moveTo(TileLimits& limits) && {
   for (const LimitRows* rows : {&limits_.vertices, &limits_.verticesHere}) {
-    limits.weights.insert(limits.weights.end(), rows->weights.begin(), rows->weights.end());
-    limits.weightsSingle.insert(limits.weightsSingle.end(), rows->weightsSingle.begin(), rows->weightsSingle.end());
+    limits.weights.append(rows->weights.begin(), rows->weights.end());
+    limits.weightsSingle.append(rows->weightsSingle.begin(), rows->weightsSingle.end());
   }
   sharedRows_.weights = limits.weights;
   sharedRows_.weightsSingle = limits.weightsSingle;

@@ -23,7 +23,7 @@ TileNormalPlan::TileNormalPlan(const Refinement& refinement, const TileUnits& un
     frames_.push_back(rule_.frames(k));
     firstWeights_.push_back(weights);
     weights += static_cast<std::int32_t>(frames_.back().weights.size());
-    const std::vector<std::int32_t>& elements = frames_.back().elements;
+    const Array<std::int32_t>& elements = frames_.back().elements;
     Parallel::forEach(0, std::ssize(elements),
                       [&](std::int64_t i) { rows_[at(elements[at(i)])] = static_cast<std::int32_t>(i); });
   }
@@ -118,8 +118,8 @@ TileNormalPlan::Place TileNormalPlan::placeOf(std::int32_t normal) const {
 
 void TileNormalPlan::moveTo(TileNormals& normals) && {
   for (const LimitRows& rows : frames_) {
-    normals.weights.insert(normals.weights.end(), rows.weights.begin(), rows.weights.end());
-    normals.weightsSingle.insert(normals.weightsSingle.end(), rows.weightsSingle.begin(), rows.weightsSingle.end());
+    normals.weights.append(rows.weights.begin(), rows.weights.end());
+    normals.weightsSingle.append(rows.weightsSingle.begin(), rows.weightsSingle.end());
   }
   normals.neighbours = rule_.cornerNeighbours();
   normals.sharedCount = sharedCount_;

@@ -51,8 +51,8 @@ class TileNormalPlan {
   std::vector<std::int32_t> rows_;          // per normal: its place among the elements of its level
   std::vector<std::int32_t> shared_;        // per normal: its number, kToShare before share()
   std::int32_t sharedCount_ = 0;
-  std::vector<LimitRows> sharedRows_;         // per level
-  std::vector<std::int32_t> offsets_, sums_;  // TileNormals::sharedOffsets and, as normals, sharedFaces
+  std::vector<LimitRows> sharedRows_;   // per level
+  Array<std::int32_t> offsets_, sums_;  // TileNormals::sharedOffsets and, as normals, sharedFaces
 };
 
 }  // namespace honeycomb::Far

@@ -46,8 +46,8 @@ std::int32_t chooseRoot(const Refinement& refinement, std::int32_t last, std::in
 void copyWeights(const TileUnits& units, TileTable& table) {
   for (std::int32_t k = table.rootLevel + 1; k <= units.last(); ++k) {
     const LevelTable& level = *units.level(k).table;
-    table.weights.insert(table.weights.end(), level.weights.begin(), level.weights.end());
-    table.weightsSingle.insert(table.weightsSingle.end(), level.weightsSingle.begin(), level.weightsSingle.end());
+    table.weights.append(level.weights.begin(), level.weights.end());
+    table.weightsSingle.append(level.weightsSingle.begin(), level.weightsSingle.end());
   }
   for (TileStep& step : table.steps) {
     // Stages of one scheme have equal weights in different places.

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "far/base/array.h"
 #include "far/base/result.h"
 #include "far/tables/refinement.h"
 
@@ -121,7 +122,7 @@ struct SharedPoints {
   };
   LevelTable table;             ///< from the points of the set before (the root level's at first)
   std::int32_t firstPoint = 0;  ///< number of the set's first point among those of all sets
-  std::vector<Run> written;     ///< the points that no tile writes
+  Array<Run> written;           ///< the points that no tile writes
 };
 
 /// Faces of a tile whose normals are found alike: FrameBatch on own points.
@@ -143,19 +144,19 @@ struct TileNormalRange {
 
 /// What the fast normals of the last level are made of, tile by tile: see NormalRule.
 struct TileNormals {
-  std::vector<TileNormalRange> tiles;  ///< one a tile
-  std::vector<std::int32_t> imports;   ///< shared normals
-  std::vector<TileFrames> frames;
-  std::vector<TilePoint> indices;
+  Array<TileNormalRange> tiles;  ///< one a tile
+  Array<std::int32_t> imports;   ///< shared normals
+  Array<TileFrames> frames;
+  Array<TilePoint> indices;
   /// Per step that writes the last level: where its outputs begin in `faces`; -1 of others.
   ///     circulant   for each face its own normal, then `neighbours` normals a corner
   ///     rows        for each row how many normals, then these
   /// Normals are kept as points are: twice their number.
-  std::vector<std::int32_t> firstFace;
-  std::vector<TilePoint> faces;
+  Array<std::int32_t> firstFace;
+  Array<TilePoint> faces;
   std::int32_t neighbours = 1;
-  std::vector<double> weights;
-  std::vector<float> weightsSingle;
+  Array<double> weights;
+  Array<float> weightsSingle;
   /// Normals of faces born before the tiles' root level, from the points of levels 0 .. rootLevel; and of faces too
   /// large for a tile, from the root's points and from shared points (as TileTable::imports numbers them). Elements:
   /// shared normals. One a level; none if the table was built without normals.
@@ -163,8 +164,8 @@ struct TileNormals {
   std::int32_t sharedCount = 0;
   /// Per point of the last level that no tile writes (SharedPoints::written, run after run): the shared normals it
   /// sums.
-  std::vector<std::int32_t> sharedOffsets;
-  std::vector<std::int32_t> sharedFaces;
+  Array<std::int32_t> sharedOffsets;
+  Array<std::int32_t> sharedFaces;
   std::int32_t largestTile = 0;  ///< the most normals of a tile
 
   template <class Real>
@@ -200,11 +201,11 @@ struct TileLimits {
     std::int32_t firstFrames = 0;
     std::int32_t framesCount = 0;
   };
-  std::vector<Range> tiles;  ///< one a tile
-  std::vector<TileVertexFrames> frames;
-  std::vector<TilePoint> indices;
-  std::vector<double> weights;
-  std::vector<float> weightsSingle;
+  Array<Range> tiles;  ///< one a tile
+  Array<TileVertexFrames> frames;
+  Array<TilePoint> indices;
+  Array<double> weights;
+  Array<float> weightsSingle;
   /// Of points that no tile writes, and of vertices that read too many for a tile; elements: where they go. They read
   /// shared points, of whichever level, as TileTable::imports numbers them.
   LimitRows shared;
@@ -232,21 +233,21 @@ struct TileTable {
   std::int32_t lastLevel = 0;
   TileOrder order = TileOrder::levels;
   TilePlaces places = TilePlaces::faces;
-  std::int32_t rootPoints = 0;           ///< points of the root level
-  std::vector<std::int32_t> pointCount;  ///< of levels 0 .. lastLevel: what the level tables read and make
-  std::vector<Tile> tiles;
-  std::vector<TileStep> steps;
-  std::vector<TileStage> stages;
-  std::vector<std::int32_t> imports;  ///< points of the root level, or rootPoints + number of a shared point
-  std::vector<TilePoint> indices;
-  std::vector<TileRow> rows;
-  std::vector<std::int32_t> outputs;
-  std::vector<std::int32_t> written;  ///< TileOrder::tiles: written[i] is the level's number of the point written i-th
-  std::vector<double> weights;        ///< of all level tables
-  std::vector<float> weightsSingle;   ///< the same, rounded
-  std::vector<SharedPoints> shared;   ///< of levels rootLevel + 1 .. lastLevel, of one more with exact normals; empty
-                                      ///< where nothing is too large
-  std::int32_t largestTile = 0;       ///< the most points of a tile
+  std::int32_t rootPoints = 0;     ///< points of the root level
+  Array<std::int32_t> pointCount;  ///< of levels 0 .. lastLevel: what the level tables read and make
+  Array<Tile> tiles;
+  Array<TileStep> steps;
+  Array<TileStage> stages;
+  Array<std::int32_t> imports;  ///< points of the root level, or rootPoints + number of a shared point
+  Array<TilePoint> indices;
+  Array<TileRow> rows;
+  Array<std::int32_t> outputs;
+  Array<std::int32_t> written;       ///< TileOrder::tiles: written[i] is the level's number of the point written i-th
+  Array<double> weights;             ///< of all level tables
+  Array<float> weightsSingle;        ///< the same, rounded
+  std::vector<SharedPoints> shared;  ///< of levels rootLevel + 1 .. lastLevel, of one more with exact normals; empty
+                                     ///< where nothing is too large
+  std::int32_t largestTile = 0;      ///< the most points of a tile
   TileNormalKind normalKind = TileNormalKind::none;
   TileNormals normals;  ///< TileNormalKind::fast
   TileLimits limits;    ///< TileNormalKind::exact

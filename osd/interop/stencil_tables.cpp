@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <span>
 
 #include "far/base/index.h"
 #include "far/base/parallel.h"
@@ -25,7 +26,7 @@ class FilledTable : public Foreign::StencilTable {
 
 /// The first stencil that can't be a row; -1 if all can.
 template <class Real>
-std::int64_t unsoundStencil(const Foreign::StencilTableReal<Real>& stencils, const std::vector<std::int32_t>& offsets) {
+std::int64_t unsoundStencil(const Foreign::StencilTableReal<Real>& stencils, std::span<const std::int32_t> offsets) {
   const std::vector<int>& sources = stencils.GetControlIndices();
   for (std::size_t r = 0; r + 1 < offsets.size(); ++r) {
     if (offsets[r] == offsets[r + 1] || at(offsets[r + 1]) > sources.size()) return static_cast<std::int64_t>(r);

@@ -25,28 +25,45 @@ Result<VulkanEvaluator> VulkanEvaluator::create(const VulkanDevice& device, cons
   });
 }
 
+Result<VulkanTable> VulkanEvaluator::uploadRange(Far::LevelTables levels, const Far::NormalTable* fast,
+                                                 const VulkanTableOptions& options) {
+  const std::int32_t last = options.lastLevel < 0 ? levels.levelCount() : options.lastLevel;
+  if (options.firstLevel < 0 || last <= options.firstLevel || last > levels.levelCount()) {
+    return fail(ErrorCode::invalidOption,
+                fmt::format("levels {} to {} of a refinement with levels 0 to {}: give a range within, "
+                            "of at least one step",
+                            options.firstLevel, last, levels.levelCount()));
+  }
+  std::vector<const Far::LevelTable*> tables;
+  for (std::int32_t k = options.firstLevel + 1; k <= last; ++k) tables.push_back(&levels.table(k));
+  const Far::LimitTable* limits = last == levels.levelCount() ? &levels.limits() : nullptr;
+  return uploadLevels(tables, limits, fast, options);
+}
+
 Result<VulkanTable> VulkanEvaluator::upload(const Far::Refinement& refinement, const VulkanTableOptions& options) {
   return guarded([&]() -> Result<VulkanTable> {
-    const std::int32_t last = options.lastLevel < 0 ? refinement.levelCount() : options.lastLevel;
-    if (options.firstLevel < 0 || last <= options.firstLevel || last > refinement.levelCount()) {
-      return fail(ErrorCode::invalidOption,
-                  fmt::format("levels {} to {} of a refinement with levels 0 to {}: give a range within, "
-                              "of at least one step",
-                              options.firstLevel, last, refinement.levelCount()));
-    }
-    std::vector<const Far::LevelTable*> levels;
-    for (std::int32_t k = options.firstLevel + 1; k <= last; ++k) levels.push_back(&refinement.level(k).table);
-    const Far::LimitTable* limits = last == refinement.levelCount() ? &refinement.limits() : nullptr;
-    if (!options.fastNormals()) return uploadLevels(levels, limits, nullptr, options);
+    if (!options.fastNormals()) return uploadRange(refinement, nullptr, options);
     if (options.firstLevel != 0) {
       return fail(ErrorCode::invalidOption,
                   fmt::format("fast normals of faces are found from level 0 on, not from level {}: begin with level 0, "
                               "or take exact normals",
                               options.firstLevel));
     }
+    const std::int32_t last = options.lastLevel < 0 ? refinement.levelCount() : options.lastLevel;
     const Result<Far::NormalTable> fast = Far::buildNormalTable(refinement, last);
     if (!fast) return tl::unexpected(fast.error());
-    return uploadLevels(levels, limits, &*fast, options);
+    return uploadRange(refinement, &*fast, options);
+  });
+}
+
+Result<VulkanTable> VulkanEvaluator::upload(Far::LevelTables levels, const VulkanTableOptions& options) {
+  return guarded([&]() -> Result<VulkanTable> {
+    if (options.fastNormals()) {
+      return fail(
+          ErrorCode::invalidOption,
+          "fast normals level after level are found from a refinement: upload that, or tiles with fast normals");
+    }
+    return uploadRange(levels, nullptr, options);
   });
 }
 
@@ -80,10 +97,9 @@ std::int32_t VulkanEvaluator::tilePoints(TileScratch scratch) const {
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(shared * 3 / 4, 64, Far::kMostTilePoints));
 }
 
-Result<VulkanTable> VulkanEvaluator::uploadTiles(const Far::Refinement& refinement, const Far::TileTable& tiles,
+Result<VulkanTable> VulkanEvaluator::uploadTiles(Far::LevelTables levels, const Far::TileTable& tiles,
                                                  const VulkanTileOptions& options) {
-  auto table =
-      guarded([&]() -> Result<VulkanTable> { return buildTable(core_, *pipelines_, refinement, tiles, options); });
+  auto table = guarded([&]() -> Result<VulkanTable> { return buildTable(core_, *pipelines_, levels, tiles, options); });
   if (table) static_cast<void>(savePipelines());
   return table;
 }

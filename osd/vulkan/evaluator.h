@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "far/tables/refinement.h"
+#include "far/tables/level_tables.h"
 #include "far/tables/stencil_table.h"
 #include "osd/vulkan/binding.h"
 #include "osd/vulkan/core.h"
@@ -30,7 +30,9 @@ class VulkanEvaluator {
   /// Errors: invalidOption (levels, descriptors, limits or normals that aren't there), tooLarge (a level of 2^32
   /// numbers, or one that is read of more than kSourcePages pages), outOfMemory, deviceLost.
   Result<VulkanTable> upload(const Far::Refinement& refinement, const VulkanTableOptions& options = {});
-  /// The same of level tables from anywhere, each reading what the one before writes; `limits` of the last may be null.
+  /// The same of level tables from anywhere, without fast normals of vertices, which take the refinement's topology.
+  Result<VulkanTable> upload(Far::LevelTables levels, const VulkanTableOptions& options = {});
+  /// The same of single tables, each reading what the one before writes; `limits` of the last may be null.
   /// options.firstLevel and lastLevel are not looked at.
   Result<VulkanTable> upload(std::span<const Far::LevelTable* const> levels, const Far::LimitTable* limits,
                              const VulkanTableOptions& options = {});
@@ -42,12 +44,12 @@ class VulkanEvaluator {
                              const VulkanTableOptions& options = {});
 
   /// Brings tiles of a refinement to the device: one dispatch for all levels behind the tiles' root level, a workgroup
-  /// a tile; levels up to the root and what is too large for a tile go before it. `refinement` is the one that the
+  /// a tile; levels up to the root and what is too large for a tile go before it. `levels` are those that the
   /// tiles were built from. Normals, where options.normals asks for them, are found in the same dispatch. Errors:
   /// invalidOption (level, descriptors, tiles or normals that there aren't), tooLarge (points at the root past a page,
   /// the wanted level and its normals past kSourcePages pages, tiles past shared memory that was asked for: the message
-  /// says what helps; upload(refinement) has no such limits), outOfMemory, deviceLost.
-  Result<VulkanTable> uploadTiles(const Far::Refinement& refinement, const Far::TileTable& tiles,
+  /// says what helps; upload(levels) has no such limits), outOfMemory, deviceLost.
+  Result<VulkanTable> uploadTiles(Far::LevelTables levels, const Far::TileTable& tiles,
                                   const VulkanTileOptions& options = {});
 
   /// Prepares a table to work on the caller's buffers: descriptor sets and scratch. Errors: see VulkanBinding.
@@ -85,6 +87,8 @@ class VulkanEvaluator {
   const std::shared_ptr<const VulkanCore>& core() const { return core_; }
 
  private:
+  Result<VulkanTable> uploadRange(Far::LevelTables levels, const Far::NormalTable* fast,
+                                  const VulkanTableOptions& options);
   Result<VulkanTable> uploadLevels(std::span<const Far::LevelTable* const> levels, const Far::LimitTable* limits,
                                    const Far::NormalTable* fast, const VulkanTableOptions& options);
 

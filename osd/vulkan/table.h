@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "far/base/result.h"
-#include "far/tables/refinement.h"
+#include "far/tables/level_tables.h"
 #include "far/tables/tile_table.h"
 #include "osd/buffer_descriptor.h"
 #include "osd/vulkan/memory.h"
@@ -114,7 +114,6 @@ Result<VulkanTable> buildTable(const std::shared_ptr<const VulkanCore>& core, Vu
 
 /// Uploads tiles, and the levels that are evaluated before them. Errors: as above, unsupported.
 Result<VulkanTable> buildTable(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,
-                               const Far::Refinement& refinement, const Far::TileTable& tiles,
-                               const VulkanTileOptions& options);
+                               Far::LevelTables levels, const Far::TileTable& tiles, const VulkanTileOptions& options);
 
 }  // namespace honeycomb::Osd

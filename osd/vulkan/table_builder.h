@@ -30,8 +30,7 @@ class TableBuilder {
   /// `limits` and `fast` may be null, where the options want nothing of them.
   Result<VulkanTable> build(std::span<const Far::LevelTable* const> levels, const Far::LimitTable* limits,
                             const Far::NormalTable* fast);
-  Result<VulkanTable> build(const Far::Refinement& refinement, const Far::TileTable& tiles,
-                            const VulkanTileOptions& options);
+  Result<VulkanTable> build(Far::LevelTables levels, const Far::TileTable& tiles, const VulkanTileOptions& options);
 
  private:
   using Steps = std::vector<std::vector<TableDispatch>>;
@@ -53,7 +52,7 @@ class TableBuilder {
   Result<Steps> addStage(const StagePlan& plan, const TableImage& image, TableStage stage);
   Result<void> appendFrames(std::vector<TableDispatch>& phase, const Far::LimitRows& rows, const LimitLayouts& layouts,
                             std::int64_t results, PointBuffer source);
-  Result<Place> addRoot(const Far::Refinement& refinement, const Far::TileTable& tiles);
+  Result<Place> addRoot(Far::LevelTables levels, const Far::TileTable& tiles);
   Result<void> addShared(const Far::TileTable& tiles, Place source);
   Result<void> copyShared(const Far::SharedPoints& set, std::int32_t k, const Place& points);
   Result<void> copyRuns(std::span<const Far::SharedPoints::Run> runs, const Place& from, const Place& to);

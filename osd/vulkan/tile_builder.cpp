@@ -64,14 +64,14 @@ Result<void> checkTileNormals(const Far::TileTable& tiles, const VulkanTableOpti
 
 }  // namespace
 
-Result<VulkanTable> TableBuilder::build(const Far::Refinement& refinement, const Far::TileTable& tiles,
+Result<VulkanTable> TableBuilder::build(Far::LevelTables levels, const Far::TileTable& tiles,
                                         const VulkanTileOptions& options) {
   const std::int32_t level = state_.options.lastLevel;
   state_.controlCount = tiles.pointCount.front();
   state_.refinedCount = tiles.pointCount[at(level)];
   if (normals()) normalKind_ = tiles.normalKind;
   need(PointBuffer::vertexNormals, normalBytes());
-  const auto root = addRoot(refinement, tiles);
+  const auto root = addRoot(levels, tiles);
   if (!root) return tl::unexpected(root.error());
   if (level > tiles.rootLevel) {
     if (const auto added = addShared(tiles, *root); !added) return tl::unexpected(added.error());
@@ -232,8 +232,7 @@ void TableBuilder::setPiece(Dispatch& dispatch, const Dispatch& whole, const Til
 }
 
 Result<VulkanTable> buildTable(const std::shared_ptr<const VulkanCore>& core, VulkanPipelines& pipelines,
-                               const Far::Refinement& refinement, const Far::TileTable& tiles,
-                               const VulkanTileOptions& options) {
+                               Far::LevelTables levels, const Far::TileTable& tiles, const VulkanTileOptions& options) {
   VulkanTableOptions table{.control = options.control, .refined = options.refined};
   table.lastLevel = options.level == 0 ? tiles.lastLevel : options.level;
   if (const auto sound = checkTileLevel(tiles, table.lastLevel); !sound) return tl::unexpected(sound.error());
@@ -244,7 +243,7 @@ Result<VulkanTable> buildTable(const std::shared_ptr<const VulkanCore>& core, Vu
     if (!sound) return tl::unexpected(sound.error());
     table.vertexLimits.normals = options.normals;
   }
-  return TableBuilder(core, pipelines, table).build(refinement, tiles, options);
+  return TableBuilder(core, pipelines, table).build(levels, tiles, options);
 }
 
 }  // namespace honeycomb::Osd

@@ -29,12 +29,12 @@ Far::LevelTable copies(std::span<const Far::SharedPoints::Run> runs, std::int32_
 
 // The root level; the wanted one where that is no later. Normals of faces born on the way are found from the points
 // before these make room for others.
-Result<TableBuilder::Place> TableBuilder::addRoot(const Far::Refinement& refinement, const Far::TileTable& tiles) {
+Result<TableBuilder::Place> TableBuilder::addRoot(Far::LevelTables levels, const Far::TileTable& tiles) {
   const std::int32_t level = state_.options.lastLevel;
   Place place = placeOf(PointBuffer::control, tiles.pointCount.front());
   for (std::int32_t k = 0; k <= std::min(level, tiles.rootLevel); ++k) {
     if (k > 0) {
-      const Far::LevelTable& table = refinement.level(k).table;
+      const Far::LevelTable& table = levels.table(k);
       const PointBuffer target = k == level ? PointBuffer::refined : scratchOf(at(k));
       auto steps = this->level(table, place.points, target);
       if (!steps) return tl::unexpected(steps.error());

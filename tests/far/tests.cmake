@@ -1,4 +1,5 @@
 set(honeycomb_far_tests
+  array_test.cpp
   bounds_test.cpp
   bricks_test.cpp
   circulant_form_test.cpp

@@ -10,24 +10,24 @@ namespace {
 /// One tile of one step of two stages, of which the first is not written, over three indices.
 Far::TileParts tilePart() {
   Far::TileParts part;
-  part.tiles.resize(1);
+  part.tiles.resize(1, {});
   part.tiles[0].firstImport = 0;
   part.tiles[0].firstStep = 0;
-  part.steps.resize(1);
-  part.stages.resize(2);
+  part.steps.resize(1, {});
+  part.stages.resize(2, {});
   part.stages[0].firstOutput = -1;
   part.stages[1].firstOutput = 2;
   part.imports = {4, 5};
   part.indices = {7, 8, 9};
   part.outputs = {10, 20, 30};
   part.written = {1, 2, 3, 4};
-  part.normals.tiles.resize(1);
-  part.normals.frames.resize(1);
+  part.normals.tiles.resize(1, {});
+  part.normals.frames.resize(1, {});
   part.normals.indices = {1, 2};
   part.normals.firstFace = {-1, 1};
   part.normals.faces = {3, 4, 5};
-  part.limits.tiles.resize(1);
-  part.limits.frames.resize(1);
+  part.limits.tiles.resize(1, {});
+  part.limits.frames.resize(1, {});
   part.limits.indices = {6, 7, 8, 9};
   return part;
 }
@@ -51,10 +51,10 @@ TEST(TileJoin, MovesPlacesOnByWhatStandsBefore) {
   EXPECT_EQ(table.stages[1].firstOutput, 2);
   EXPECT_EQ(table.stages[2].firstOutput, -1) << "what is not written has no place";
   EXPECT_EQ(table.stages[3].firstOutput, 5);
-  EXPECT_EQ(table.imports, (std::vector<std::int32_t>{4, 5, 4, 5}));
-  EXPECT_EQ(table.outputs, (std::vector<std::int32_t>{10, 20, 30, 10, 20, 30}));
+  EXPECT_EQ(table.imports, (Array<std::int32_t>{4, 5, 4, 5}));
+  EXPECT_EQ(table.outputs, (Array<std::int32_t>{10, 20, 30, 10, 20, 30}));
   EXPECT_EQ(table.normals.frames[1].firstIndex, 2);
-  EXPECT_EQ(table.normals.firstFace, (std::vector<std::int32_t>{-1, 1, -1, 4}));
+  EXPECT_EQ(table.normals.firstFace, (Array<std::int32_t>{-1, 1, -1, 4}));
   EXPECT_EQ(table.limits.tiles[1].firstFrames, 1);
   EXPECT_EQ(table.limits.frames[1].firstIndex, 4);
   EXPECT_EQ(table.limits.frames[1].firstOutput, 3);

@@ -198,7 +198,7 @@ TYPED_TEST(Tiles, InTheirOwnOrderWriteEachPointOnce) {
   for (const PolyMesh& mesh : {torus(20, 15), prism(500), grid(12, 13)}) {
     const Far::Refinement refinement = refined(mesh, schemeCase(NamedTension::paper).scheme, 3);
     const Far::TileTable tiles = tiled(refinement, 1500, Far::TileOrder::tiles);
-    std::vector<std::int32_t> all = tiles.written;
+    std::vector<std::int32_t> all(tiles.written.begin(), tiles.written.end());
     std::ranges::sort(all);
     std::vector<std::int32_t> each(static_cast<std::size_t>(refinement.last().pointCount()));
     std::iota(each.begin(), each.end(), 0);
