@@ -6,6 +6,14 @@ target_compile_features(honeycomb_compile INTERFACE cxx_std_20)
 target_compile_options(honeycomb_compile INTERFACE -ffp-contract=off)
 target_include_directories(honeycomb_compile INTERFACE ${PROJECT_SOURCE_DIR})
 
+# Static libraries end in shared ones (the C library, other people's modules), of whose symbols nobody else should see any;
+# shared ones show the names of the project and nothing of what they are made with (cmake/exported.map).
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT BUILD_SHARED_LIBS)
+  set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+  set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+endif()
+
 add_library(honeycomb_warnings INTERFACE)
 target_compile_options(honeycomb_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 # With the thread sanitizer gcc 12 warns falsely of the storage of tl::expected; every other build has warnings as errors.
@@ -34,11 +42,13 @@ target_precompile_headers(honeycomb_headers PRIVATE
   <algorithm> <array> <cmath> <cstdint> <functional> <map> <memory> <numeric> <span> <string> <string_view> <vector>
   <tl/expected.hpp>)
 
-# honeycomb_library(NAME sources...): the library honeycomb_NAME and its alias honeycomb::NAME.
+# honeycomb_library(NAME sources...): the library honeycomb_NAME and its alias honeycomb::NAME. How the project compiles
+# is no business of who uses an installed one.
 function(honeycomb_library name)
   add_library(honeycomb_${name} ${ARGN})
   add_library(honeycomb::${name} ALIAS honeycomb_${name})
-  target_link_libraries(honeycomb_${name} PUBLIC honeycomb_compile honeycomb_sanitize PRIVATE honeycomb_warnings)
+  target_link_libraries(honeycomb_${name} PUBLIC $<BUILD_INTERFACE:honeycomb_compile> $<BUILD_INTERFACE:honeycomb_sanitize>
+                                          PRIVATE $<BUILD_INTERFACE:honeycomb_warnings>)
   target_precompile_headers(honeycomb_${name} REUSE_FROM honeycomb_headers)
 endfunction()
 

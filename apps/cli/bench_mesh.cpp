@@ -8,6 +8,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/memory.h"
 #include "apps/cli/mesh_input.h"
+#include "apps/cli/program_files.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -55,7 +56,7 @@ Result<Bench::Mesh> chosenMesh(const BenchCommand& command) {
   }
   const auto choice = choose(kMeshes, "--mesh", command.mesh.value_or(std::string(kMeshes.front().name)));
   if (!choice) return tl::unexpected(choice.error());
-  if ((*choice)->make == nullptr) return readBenchMesh(HONEYCOMB_ASSETS "/creature.obj", command);
+  if ((*choice)->make == nullptr) return readBenchMesh(assetFile("creature.obj").string(), command);
   return makeBenchMesh(**choice, command.faces.value_or(kUsualFaces));
 }
 

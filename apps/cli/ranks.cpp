@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "apps/cli/interrupt.h"
+#include "apps/cli/program_files.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -78,8 +79,7 @@ RankOfMany rankOfMany() {
 Result<std::unique_ptr<Ranks>> openRanks() {
   if (rankOfMany().size <= 1) return std::make_unique<LoneRank>();
   std::error_code ignored;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-  const std::filesystem::path module = program.parent_path() / "honeycomb_mpi.so";
+  const std::filesystem::path module = moduleFile("honeycomb_mpi.so");
   if (!std::filesystem::exists(module, ignored)) return failWithoutMpi(fmt::format("{} is not there", module.string()));
   return openModule(module);
 }

@@ -158,7 +158,7 @@ class MpiRanks : public Ranks {
 
 }  // namespace
 
-extern "C" Ranks* honeycombOpenMpiRanks(bool (*interrupted)(), const char** message) {
+extern "C" [[gnu::visibility("default")]] Ranks* honeycombOpenMpiRanks(bool (*interrupted)(), const char** message) {
   int provided = MPI_THREAD_SINGLE;
   if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided) != MPI_SUCCESS) {
     *message = "MPI doesn't start";

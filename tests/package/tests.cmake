@@ -1,0 +1,45 @@
+# An installation that was moved after it was made, and those who build with it alone: the examples, each a project of its
+# own, by CMake and by pkg-config.
+set(moved ${CMAKE_CURRENT_BINARY_DIR}/package/moved)
+set(script ${CMAKE_CURRENT_SOURCE_DIR}/package)
+set(assets ${moved}/${CMAKE_INSTALL_DATADIR}/honeycomb)
+
+# package_test(NAME command...): after the installation; nobody waits for it.
+function(package_test name)
+  add_test(NAME ${name} COMMAND ${ARGN})
+  set_tests_properties(${name} PROPERTIES FIXTURES_REQUIRED installation TIMEOUT 300)
+endfunction()
+
+# example_test(NAME expected arguments...): configures, builds and runs examples/NAME, which must print what is expected.
+function(example_test name expected)
+  list(JOIN ARGN " " arguments)
+  package_test(example_${name} ${CMAKE_CTEST_COMMAND} --build-and-test
+    ${PROJECT_SOURCE_DIR}/examples/${name} ${CMAKE_CURRENT_BINARY_DIR}/package/${name}
+    --build-generator ${CMAKE_GENERATOR} --build-noclean
+    --build-options -DCMAKE_PREFIX_PATH=${moved} -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+                    "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Werror"
+    --test-command ./${name} ${ARGN})
+  set_tests_properties(example_${name} PROPERTIES PASS_REGULAR_EXPRESSION "${expected}"
+                                                  FAIL_REGULAR_EXPRESSION "VUID|SYNC-HAZARD|NOT the CPU's")
+endfunction()
+
+add_test(NAME package_install COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DMOVED=${moved}
+                                                       -P ${script}/install.cmake)
+set_tests_properties(package_install PROPERTIES FIXTURES_SETUP installation)
+
+package_test(package_headers ${CMAKE_COMMAND} -DMOVED=${moved} -DCOMPILER=${CMAKE_CXX_COMPILER} -P ${script}/headers.cmake)
+package_test(package_pkg_config ${script}/pkg_config.sh ${moved} ${moved}/${CMAKE_INSTALL_LIBDIR}/pkgconfig
+             ${PROJECT_SOURCE_DIR}/examples/cpu_playback/main.cpp ${CMAKE_CXX_COMPILER})
+set_tests_properties(package_pkg_config PROPERTIES PASS_REGULAR_EXPRESSION "72 frames, .* ms each")
+package_test(package_debian ${script}/debian.sh ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/package/debian
+             ${CMAKE_INSTALL_DATADIR})
+
+example_test(cpu_playback "72 frames, .* ms each" ${assets}/creature.obj ${assets}/creature.pc2 2)
+if(TARGET honeycomb::osd_vulkan)
+  example_test(vulkan_app "frame 2: 648 points, checksum [0-9a-f]+, the same as the CPU's")
+  # The layer is asked for by its name, as an app's developer would; where it isn't installed the loader goes on without.
+  set_tests_properties(example_vulkan_app PROPERTIES LABELS vulkan ENVIRONMENT VK_LOADER_LAYERS_ENABLE=*validation*)
+endif()
+if(TARGET honeycomb::interop)
+  example_test(opensubdiv_migration "Honeycomb frame 3: 216 vertices")
+endif()
