@@ -47,3 +47,12 @@ if(TARGET assimp::assimp)
       io/scene/weld_test.cpp
     LIBRARIES honeycomb::io nlohmann_json::nlohmann_json)
 endif()
+
+# Proofs are parallel, and made once for all threads.
+honeycomb_test(io_table_tests
+  LABELS threads
+  SHARDS 2
+  SOURCES
+    io/table_fault_test.cpp
+    io/table_file_test.cpp
+  LIBRARIES honeycomb::io honeycomb::osd honeycomb::test_support)
