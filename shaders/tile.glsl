@@ -182,38 +182,39 @@ void importPoints(uint first, uint count) {
 #include "unit.glsl"
 #include "tile_normals.glsl"
 
-bool isCase(Step step, uint which) {
-  const uint cases = which < 32u ? kCases : kOtherCases;
-  return ((cases >> (which % 32u)) & 1u) != 0u && step.which == which;
-}
-
-#define RUN_CASES(first, run)                               \
-  if (isCase(step, first + kKept)) run(step, kKept);        \
-  if (isCase(step, first + kBoth)) run(step, kBoth);        \
-  if (isCase(step, first + kWritten)) run(step, kWritten);  \
-  if (isCase(step, first + kAlso)) run(step, kAlso)
+// A branch on constants alone comes first: the evaluator cuts off those that a table never takes, calls and all
+// (osd/vulkan/pruned_code.h), since drivers that inline all of them compile for seconds.
+#define RUN_CASE(cases, case_, run)                  \
+  if (((cases >> ((case_) & 31u)) & 1u) != 0u) {     \
+    if (step.which == (case_)) run;                  \
+  }
+#define RUN_CASES(cases, first, run)                    \
+  RUN_CASE(cases, (first) + kKept, run(step, kKept))       \
+  RUN_CASE(cases, (first) + kBoth, run(step, kBoth))       \
+  RUN_CASE(cases, (first) + kWritten, run(step, kWritten)) \
+  RUN_CASE(cases, (first) + kAlso, run(step, kAlso))
 
 void runStep(Step step) {
-  RUN_CASES(0u, facesQuad);
-  RUN_CASES(4u, facesHexagon);
-  RUN_CASES(8u, facesEvenOdd4);
-  RUN_CASES(12u, facesEvenOdd6);
-  RUN_CASES(16u, facesEvenOdd8);
-  RUN_CASES(20u, facesDirect3);
-  RUN_CASES(24u, facesDirect5);
-  RUN_CASES(28u, facesDirect7);
-  if (isCase(step, kAnySides)) facesAnySides(step);
-  RUN_CASES(kFirstDense, denseRows);
-  RUN_CASES(kFirstLoose, looseRows);
-  if (isCase(step, kImportedNormals)) importNormals(step);
-  if (isCase(step, kFirstFaceNormals)) frameNormals(step, 6u, false);
-  if (isCase(step, kFirstFaceNormals + 1u)) frameNormals(step, step.width, false);
-  if (isCase(step, kFirstVertexNormals)) frameNormals(step, 6u, true);
-  if (isCase(step, kFirstVertexNormals + 1u)) frameNormals(step, step.width, true);
+  RUN_CASES(kCases, 0u, facesQuad)
+  RUN_CASES(kCases, 4u, facesHexagon)
+  RUN_CASES(kCases, 8u, facesEvenOdd4)
+  RUN_CASES(kCases, 12u, facesEvenOdd6)
+  RUN_CASES(kCases, 16u, facesEvenOdd8)
+  RUN_CASES(kCases, 20u, facesDirect3)
+  RUN_CASES(kCases, 24u, facesDirect5)
+  RUN_CASES(kCases, 28u, facesDirect7)
+  RUN_CASE(kOtherCases, kAnySides, facesAnySides(step))
+  RUN_CASES(kOtherCases, kFirstDense, denseRows)
+  RUN_CASES(kOtherCases, kFirstLoose, looseRows)
+  RUN_CASE(kOtherCases, kImportedNormals, importNormals(step))
+  RUN_CASE(kOtherCases, kFirstFaceNormals, frameNormals(step, 6u, false))
+  RUN_CASE(kOtherCases, kFirstFaceNormals + 1u, frameNormals(step, step.width, false))
+  RUN_CASE(kOtherCases, kFirstVertexNormals, frameNormals(step, 6u, true))
+  RUN_CASE(kOtherCases, kFirstVertexNormals + 1u, frameNormals(step, step.width, true))
   // Unrolled only where a write is short: with pages it is a switch, and compiling takes long.
-  if (isCase(step, kFirstCornerNormals)) cornerNormals(step, kPageShift == 0u ? 6u : step.width, 1u);
-  if (isCase(step, kFirstCornerNormals + 1u)) cornerNormals(step, step.width, step.kept);
-  if (isCase(step, kSummedNormals)) summedNormals(step);
+  RUN_CASE(kOtherCases, kFirstCornerNormals, cornerNormals(step, kPageShift == 0u ? 6u : step.width, 1u))
+  RUN_CASE(kOtherCases, kFirstCornerNormals + 1u, cornerNormals(step, step.width, step.kept))
+  RUN_CASE(kOtherCases, kSummedNormals, summedNormals(step))
 }
 
 void main() {

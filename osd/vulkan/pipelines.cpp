@@ -1,6 +1,7 @@
 #include "osd/vulkan/pipelines.h"
 
 #include "osd/vulkan/errors.h"
+#include "osd/vulkan/pruned_code.h"
 
 namespace honeycomb::Osd {
 
@@ -49,7 +50,6 @@ Result<std::unique_ptr<VulkanPipelines>> VulkanPipelines::create(std::shared_ptr
   std::unique_ptr<VulkanPipelines> pipelines(new VulkanPipelines(std::move(core)));
   if (const auto made = pipelines->makeSetLayout(); !made) return tl::unexpected(made.error());
   if (const auto made = pipelines->makeLayout(); !made) return tl::unexpected(made.error());
-  if (const auto made = pipelines->makeModules(); !made) return tl::unexpected(made.error());
   auto cache = PipelineCache::open(pipelines->core_, pipelines->core_->options.pipelineCache);
   if (!cache) return tl::unexpected(cache.error());
   pipelines->cache_ = std::move(*cache);
@@ -97,32 +97,26 @@ Result<void> VulkanPipelines::makeLayout() {
   return {};
 }
 
-Result<void> VulkanPipelines::makeModules() {
-  for (std::uint32_t k = 0; k < kKernelCount; ++k) {
-    const auto kernel = static_cast<Kernel>(k);
-    if (const auto made = makeModule(kernel, kernelCode(kernel)); !made) return made;
-  }
-  return {};
-}
-
-Result<void> VulkanPipelines::makeModule(Kernel kernel, std::span<const std::uint32_t> code) {
+Result<DeviceHandle<VkShaderModule>> VulkanPipelines::makeModule(std::span<const std::uint32_t> code) const {
   VkShaderModuleCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
   info.codeSize = code.size_bytes();
   info.pCode = code.data();
-  auto shader =
-      core_->make(core_->vk().vkCreateShaderModule, core_->vk().vkDestroyShaderModule, info, "create a shader module");
-  if (!shader) return tl::unexpected(shader.error());
-  modules_[static_cast<std::size_t>(kernel)] = std::move(*shader);
-  return {};
+  return core_->make(core_->vk().vkCreateShaderModule, core_->vk().vkDestroyShaderModule, info,
+                     "create a shader module");
+}
+
+std::span<const std::uint32_t> VulkanPipelines::code(Kernel kernel) const {
+  const std::vector<std::uint32_t>& loaded = loaded_[static_cast<std::size_t>(kernel)];
+  return loaded.empty() ? kernelCode(kernel) : loaded;
 }
 
 Result<std::uint64_t> VulkanPipelines::refresh() {
   const std::lock_guard lock(mutex_);
-  const auto changed = files_.changed();
+  auto changed = files_.changed();
   if (!changed) return tl::unexpected(changed.error());
-  for (const ChangedKernel& one : *changed) {
-    if (const auto made = makeModule(one.kernel, one.code); !made) return tl::unexpected(made.error());
+  for (ChangedKernel& one : *changed) {
+    loaded_[static_cast<std::size_t>(one.kernel)] = std::move(one.code);
     if (const auto made = remake(one.kernel); !made) return tl::unexpected(made.error());
     ++generation_;
   }
@@ -169,11 +163,13 @@ Result<DeviceHandle<VkPipeline>> VulkanPipelines::make(Kernel kernel, const Spec
     entries[i] = {i, static_cast<std::uint32_t>(i * sizeof(std::uint32_t)), sizeof(std::uint32_t)};
   }
   const VkSpecializationInfo constants{kSpecializationCount, entries.data(), sizeof(specialization), &specialization};
+  const auto module = makeModule(prunedCode(code(kernel), specialization));
+  if (!module) return tl::unexpected(module.error());
   VkComputePipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
   info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
   info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-  info.stage.module = modules_[static_cast<std::size_t>(kernel)].get();
+  info.stage.module = module->get();
   info.stage.pName = "main";
   info.stage.pSpecializationInfo = &constants;
   info.layout = layout_.get();

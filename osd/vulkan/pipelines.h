@@ -44,19 +44,19 @@ class VulkanPipelines {
   explicit VulkanPipelines(std::shared_ptr<const VulkanCore> core) : core_(std::move(core)) {}
   Result<void> makeSetLayout();
   Result<void> makeLayout();
-  Result<void> makeModules();
-  Result<void> makeModule(Kernel kernel, std::span<const std::uint32_t> code);
+  std::span<const std::uint32_t> code(Kernel kernel) const;
+  Result<DeviceHandle<VkShaderModule>> makeModule(std::span<const std::uint32_t> code) const;
   Result<void> remake(Kernel kernel);
   Result<DeviceHandle<VkPipeline>> make(Kernel kernel, const Specialization& specialization) const;
 
   std::shared_ptr<const VulkanCore> core_;
   DeviceHandle<VkDescriptorSetLayout> setLayout_;
   DeviceHandle<VkPipelineLayout> layout_;
-  std::array<DeviceHandle<VkShaderModule>, kKernelCount> modules_;
   PipelineCache cache_;
   std::mutex mutex_;
   std::map<std::pair<Kernel, Specialization>, DeviceHandle<VkPipeline>> pipelines_;
   KernelFiles files_;
+  std::array<std::vector<std::uint32_t>, kKernelCount> loaded_;  ///< SPIR-V from files; empty: the built-in one
   std::uint64_t generation_ = 0;
   std::map<VkPipeline, DeviceHandle<VkPipeline>> replaced_;  ///< by pipelines of changed kernels
   std::vector<DeviceHandle<VkPipeline>> outdated_;           ///< such as have been replaced in turn

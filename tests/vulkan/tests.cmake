@@ -4,7 +4,8 @@ set(HONEYCOMB_VULKAN_TESTS
   context_test batches_test limits_test paging_test evaluator_test session_test staging_test synchronization_test
   precise_test memory_pool_test faults_test
   callers_device_test host_memory_test device_validation_test
-  frames_test frames_faults_test timing_test pipeline_cache_test kernel_files_test)
+  frames_test frames_faults_test timing_test pipeline_cache_test kernel_files_test
+  pruned_code_test)
 
 add_library(honeycomb_vulkan_test_support STATIC
   ${CMAKE_CURRENT_LIST_DIR}/engine.cpp
