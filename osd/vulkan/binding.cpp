@@ -245,6 +245,10 @@ void VulkanBinding::record(VkCommandBuffer commands) const {
   for (; timer_ && part < timedEnds_.size(); ++part) timer_->finish(commands, part);
 }
 
+Result<std::uint64_t> VulkanBinding::refreshKernels() const {
+  return guarded([this] { return pipelines_->refresh(); });
+}
+
 Result<void> VulkanBinding::makeTimer() {
   timedEnds_ = table_.state_->levelEnds;
   if (timedEnds_.empty() || timedEnds_.back() < phases_.size()) timedEnds_.push_back(phases_.size());

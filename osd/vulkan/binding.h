@@ -51,7 +51,7 @@ class VulkanBinding {
   void record(VkCommandBuffer commands) const;
   /// Looks for changed kernels, where VulkanEvaluatorOptions::kernelFolder names some. Another number than before: what
   /// was recorded has old kernels, record() takes the new. Errors: invalidFile.
-  Result<std::uint64_t> refreshKernels() const { return pipelines_->refresh(); }
+  Result<std::uint64_t> refreshKernels() const;
   /// What each level took on the device in the last frame recorded with this binding, which must have run. Errors:
   /// invalidOption without VulkanBindingOptions::timing, or before the first frame; deviceLost, outOfMemory.
   Result<std::vector<LevelTime>> levelTimes() const;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <new>
+
 namespace honeycomb::Osd {
 
 const char* resultName(VkResult result) {
@@ -79,13 +81,17 @@ const char* remedyOf(ErrorCode code) {
 
 }  // namespace
 
-Error vulkanError(VkResult result, const char* doing) {
+Error vulkanError(VkResult result, const char* doing) noexcept {
   const ErrorCode code = codeOf(result);
-  return {code, fmt::format("Vulkan failed to {}: {} ({}); {}", doing, resultName(result), static_cast<int>(result),
-                            remedyOf(code))};
+  try {
+    return {code, fmt::format("Vulkan failed to {}: {} ({}); {}", doing, resultName(result), static_cast<int>(result),
+                              remedyOf(code))};
+  } catch (const std::bad_alloc&) {
+    return {code, "Vulkan failed"};  // within std::string itself
+  }
 }
 
-tl::unexpected<Error> vulkanFailure(VkResult result, const char* doing) {
+tl::unexpected<Error> vulkanFailure(VkResult result, const char* doing) noexcept {
   return tl::unexpected<Error>(vulkanError(result, doing));
 }
 

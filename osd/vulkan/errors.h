@@ -13,9 +13,10 @@ const char* resultName(VkResult result);
 ///     VK_ERROR_DEVICE_LOST -> deviceLost, OUT_OF_*_MEMORY, OUT_OF_POOL_MEMORY, TOO_MANY_OBJECTS and failed maps ->
 ///     outOfMemory, missing layers, extensions, features and versions -> unsupported, INITIALIZATION_FAILED and an
 ///     incompatible driver -> noDevice, anything else -> unsupported
-Error vulkanError(VkResult result, const char* doing);
+/// The code is right even where there is no memory for the text, which is "Vulkan failed" then.
+Error vulkanError(VkResult result, const char* doing) noexcept;
 
 /// vulkanError for returning from a function that returns a Result.
-tl::unexpected<Error> vulkanFailure(VkResult result, const char* doing);
+tl::unexpected<Error> vulkanFailure(VkResult result, const char* doing) noexcept;
 
 }  // namespace honeycomb::Osd

@@ -57,6 +57,10 @@ VulkanFrames& VulkanFrames::operator=(VulkanFrames&& other) noexcept {
 }
 
 Result<std::span<float>> VulkanFrames::begin() {
+  return guarded([this] { return nextBuffer(); });
+}
+
+Result<std::span<float>> VulkanFrames::nextBuffer() {
   const std::uint64_t next = timeline_.count() + 1;
   if (next > slots_.size()) {
     if (const auto done = timeline_.wait(next - slots_.size()); !done) return tl::unexpected(done.error());
@@ -116,6 +120,10 @@ Result<void> VulkanFrames::send(const VulkanFrameSync& sync) {
 }
 
 Result<VulkanTicket> VulkanFrames::submit(const VulkanFrameSync& sync) {
+  return guarded([&] { return sendBegun(sync); });
+}
+
+Result<VulkanTicket> VulkanFrames::sendBegun(const VulkanFrameSync& sync) {
   if (!begun_) return fail(ErrorCode::invalidOption, "a frame is submitted that wasn't begun: call begin() first");
   const std::size_t most = std::max(sync.waits.size(), sync.signals.size());
   if (most > kMostSemaphores) {
@@ -130,14 +138,16 @@ Result<VulkanTicket> VulkanFrames::submit(const VulkanFrameSync& sync) {
 }
 
 Result<VulkanTicket> VulkanFrames::submit(std::span<const float> control, const VulkanFrameSync& sync) {
-  const auto target = begin();
-  if (!target) return tl::unexpected(target.error());
-  if (target->size() != control.size()) {
-    return fail(ErrorCode::invalidOption,
-                fmt::format("a frame of {} numbers: the table reads {}", control.size(), target->size()));
-  }
-  std::ranges::copy(control, target->begin());
-  return submit(sync);
+  return guarded([&]() -> Result<VulkanTicket> {
+    const auto target = nextBuffer();
+    if (!target) return tl::unexpected(target.error());
+    if (target->size() != control.size()) {
+      return fail(ErrorCode::invalidOption,
+                  fmt::format("a frame of {} numbers: the table reads {}", control.size(), target->size()));
+    }
+    std::ranges::copy(control, target->begin());
+    return sendBegun(sync);
+  });
 }
 
 Result<void> VulkanFrames::checkOwn(const VulkanTicket& ticket) const {
@@ -147,16 +157,24 @@ Result<void> VulkanFrames::checkOwn(const VulkanTicket& ticket) const {
 }
 
 Result<void> VulkanFrames::wait(const VulkanTicket& ticket) const {
-  if (auto own = checkOwn(ticket); !own) return own;
-  return timeline_.wait(ticket.value);
+  return guarded([&]() -> Result<void> {
+    if (auto own = checkOwn(ticket); !own) return own;
+    return timeline_.wait(ticket.value);
+  });
 }
 
 Result<bool> VulkanFrames::finished(const VulkanTicket& ticket) const {
-  if (const auto own = checkOwn(ticket); !own) return tl::unexpected(own.error());
-  return timeline_.reached(ticket.value);
+  return guarded([&]() -> Result<bool> {
+    if (const auto own = checkOwn(ticket); !own) return tl::unexpected(own.error());
+    return timeline_.reached(ticket.value);
+  });
 }
 
 Result<const FrameSlot*> VulkanFrames::results(const VulkanTicket& ticket) const {
+  return guarded([&] { return slotOf(ticket); });
+}
+
+Result<const FrameSlot*> VulkanFrames::slotOf(const VulkanTicket& ticket) const {
   if (const auto own = checkOwn(ticket); !own) return tl::unexpected(own.error());
   const std::uint64_t submitted = timeline_.count();
   if (ticket.value + slots_.size() <= submitted) {

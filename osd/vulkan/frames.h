@@ -79,6 +79,9 @@ class VulkanFrames {
  private:
   VulkanFrames() = default;
   Result<void> checkOwn(const VulkanTicket& ticket) const;
+  Result<std::span<float>> nextBuffer();
+  Result<VulkanTicket> sendBegun(const VulkanFrameSync& sync);
+  Result<const FrameSlot*> slotOf(const VulkanTicket& ticket) const;
   FrameSlot& nextSlot() { return slots_[timeline_.count() % slots_.size()]; }
   Result<void> send(const VulkanFrameSync& sync);
 

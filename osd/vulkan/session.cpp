@@ -27,21 +27,25 @@ Result<VulkanSession> VulkanSession::create(const VulkanEvaluator& evaluator, co
 }
 
 Result<void> VulkanSession::run() {
-  if (auto fresh = slot_.refresh(); !fresh) return fresh;
-  if (auto sent = slot_.commands().submit(); !sent) return sent;
-  return slot_.commands().wait();
+  return guarded([this]() -> Result<void> {
+    if (auto fresh = slot_.refresh(); !fresh) return fresh;
+    if (auto sent = slot_.commands().submit(); !sent) return sent;
+    return slot_.commands().wait();
+  });
 }
 
 Result<void> VulkanSession::refine(std::span<const float> points, std::span<float> refined) {
-  if (points.size() != control().size() || refined.size() != this->refined().size()) {
-    return fail(ErrorCode::invalidOption,
-                fmt::format("{} numbers in and {} out: the table reads {} and writes {}", points.size(), refined.size(),
-                            control().size(), this->refined().size()));
-  }
-  std::ranges::copy(points, control().begin());
-  if (auto ran = run(); !ran) return ran;
-  std::ranges::copy(this->refined(), refined.begin());
-  return {};
+  return guarded([&]() -> Result<void> {
+    if (points.size() != control().size() || refined.size() != this->refined().size()) {
+      return fail(ErrorCode::invalidOption,
+                  fmt::format("{} numbers in and {} out: the table reads {} and writes {}", points.size(),
+                              refined.size(), control().size(), this->refined().size()));
+    }
+    std::ranges::copy(points, control().begin());
+    if (auto ran = run(); !ran) return ran;
+    std::ranges::copy(this->refined(), refined.begin());
+    return {};
+  });
 }
 
 }  // namespace honeycomb::Osd

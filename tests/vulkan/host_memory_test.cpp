@@ -160,6 +160,36 @@ TEST_F(HostMemoryOfFramesTest, EachAllocationOfLevelsWithNormalsThatFailsIsAnErr
             50);
 }
 
+// What a call answers whose message there is no memory for.
+template <class Call>
+ErrorCode codeWithoutMemory(const Call& call) {
+  allocationsLeft = 1;
+  const auto refused = call();
+  const bool needed = std::exchange(allocationsLeft, 0) == 0;
+  EXPECT_TRUE(needed) << "there was memory for the message";
+  return refused ? ErrorCode{} : refused.error().code;
+}
+
+TEST_F(HostMemoryOfFramesTest, AnErrorWithoutMemoryForItsMessageIsAnError) {
+  Spy spy(context->device());
+  auto on = must(Osd::VulkanEvaluator::create(spy.device()));
+  const auto table = must(on.upload(refinement));
+  auto frames = must(Osd::VulkanFrames::create(on, table));
+  const auto ticket = must(frames.submit(control));
+  spy.fail("vkQueueSubmit", 1, VK_ERROR_DEVICE_LOST);
+  EXPECT_EQ(codeWithoutMemory([&] { return frames.submit(control); }), ErrorCode::deviceLost);
+  spy.fail("vkWaitSemaphores", 1, VK_ERROR_DEVICE_LOST);
+  EXPECT_EQ(codeWithoutMemory([&] { return frames.wait(ticket); }), ErrorCode::deviceLost);
+  EXPECT_EQ(codeWithoutMemory([&] { return frames.wait({}); }), ErrorCode::outOfMemory);
+  EXPECT_EQ(codeWithoutMemory([&] { return frames.finished({}); }), ErrorCode::outOfMemory);
+  EXPECT_EQ(codeWithoutMemory([&] { return frames.results({}); }), ErrorCode::outOfMemory);
+  EXPECT_EQ(codeWithoutMemory([&] { return frames.submit(std::span<const float>()); }), ErrorCode::outOfMemory);
+  auto session = must(Osd::VulkanSession::create(std::as_const(on), table));
+  EXPECT_EQ(codeWithoutMemory([&] { return session.refine({}, {}); }), ErrorCode::outOfMemory);
+  spy.fail("vkQueueSubmit", 1, VK_ERROR_DEVICE_LOST);
+  EXPECT_EQ(codeWithoutMemory([&] { return session.run(); }), ErrorCode::deviceLost);
+}
+
 TEST_F(HostMemoryOfFramesTest, EachAllocationOfTilesThatFailsIsAnError) {
   const Far::TileTable tiles =
       must(Far::buildTileTable(refinement, {.scratchPoints = 300, .normals = Far::TileNormalKind::fast}));
