@@ -13,10 +13,10 @@ layout(constant_id = 7) const bool kWindowed = false;   // the target is larger 
 layout(constant_id = 8) const uint kForm = 0u;          // of a circulant: one of the four below
 
 // Far::CirculantForm.
-const uint kDirect = 0u;
-const uint kEvenOdd = 1u;
-const uint kQuad = 2u;
-const uint kHexagon = 3u;
+#define SHAPE_DIRECT 0
+#define SHAPE_EVEN_ODD 1
+#define SHAPE_QUAD 2
+#define SHAPE_HEXAGON 3
 
 const uint kProjectionBlock = 256u;
 

@@ -131,11 +131,6 @@ void importPoints(uint first, uint count) {
   } while (i < count);
 }
 
-#define SHAPE_DIRECT 0
-#define SHAPE_EVEN_ODD 1
-#define SHAPE_QUAD 2
-#define SHAPE_HEXAGON 3
-
 #define N 4
 #define SHAPE SHAPE_QUAD
 #define EVOLVE evolveQuad

@@ -1,49 +1,32 @@
 // Faces of any number of sides up to kMostSides, without a kind of their own in tile_faces.glsl: rare, and so in one
 // piece that is quick to compile.
 const uint kMostSides = 64u;
-vec4 before[kMostSides];  // the face's points at a level, or q and then d of the even/odd form
+vec4 before[kMostSides];  // the face's points at a level
 vec4 after[kMostSides];
 
+#define VALUE vec4
+#define BEFORE before
+#define AFTER after
+#define MOST kMostSides
+#define SIDES n
+#define WEIGHT(k) weightAt(weights, k)
 void evolveAnyDirect(uint n, uint weights) {
-  for (uint i = 0u; i < n; ++i) {
-    precise vec4 sum = weightAt(weights, 0u) * before[i];
-    for (uint k = 1u; k < n; ++k) {
-      precise vec4 term = weightAt(weights, k) * before[i + k < n ? i + k : i + k - n];
-      sum = sum + term;
-    }
-    after[i] = sum;
-  }
+#define SHAPE SHAPE_DIRECT
+#include "circulant_form.glsl"
+#undef SHAPE
 }
 
 void evolveAnyEvenOdd(uint n, uint weights) {
-  const uint m = n / 2u;
-  for (uint j = 0u; j < m; ++j) {
-    precise vec4 q = before[j] + before[j + m];
-    precise vec4 d = before[j] - before[j + m];
-    before[j] = q;
-    before[j + m] = d;
-  }
-  for (uint i = 0u; i < m; ++i) {
-    precise vec4 e = weightAt(weights, 0u) * before[i];
-    precise vec4 o = weightAt(weights, m) * before[i + m];
-    for (uint k = 1u; k < m; ++k) {
-      const bool wraps = i + k >= m;
-      const uint j = wraps ? i + k - m : i + k;
-      precise vec4 even = weightAt(weights, k) * before[j];
-      precise vec4 odd = weightAt(weights, m + k) * before[j + m];
-      e = e + even;
-      if (wraps) {
-        o = o - odd;
-      } else {
-        o = o + odd;
-      }
-    }
-    precise vec4 upper = e + o;
-    precise vec4 lower = e - o;
-    after[i] = upper;
-    after[i + m] = lower;
-  }
+#define SHAPE SHAPE_EVEN_ODD
+#include "circulant_form.glsl"
+#undef SHAPE
 }
+#undef VALUE
+#undef BEFORE
+#undef AFTER
+#undef MOST
+#undef SIDES
+#undef WEIGHT
 
 void facesAnySides(Step step) {
   const uint n = step.width;
