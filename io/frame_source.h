@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,6 +9,9 @@
 
 namespace honeycomb::Io {
 
+/// At which frames are played that don't say.
+constexpr double kUsualFramesPerSecond = 24;
+
 /// What the frames of a deforming mesh are. Times are in the file's own unit: frames in PC2, seconds in MDD.
 struct FrameInfo {
   std::int32_t pointCount = 0;
@@ -15,6 +19,10 @@ struct FrameInfo {
   float start = 0;            ///< time of the first frame
   float rate = 1;             ///< time between two
   float framesPerSecond = 0;  ///< as they should be played; 0: the file doesn't say
+
+  double playedAt() const { return framesPerSecond > 0 ? double{framesPerSecond} : kUsualFramesPerSecond; }
+  /// Is the time between two frames that of the frame rate? Then times are in seconds; else they count frames.
+  bool countsSeconds() const { return std::abs(double{rate} * double{framesPerSecond} - 1) < 1e-3; }
 };
 
 /// The points of a deforming mesh, frame by frame: a point cache, a sequence of files, a skinned character.

@@ -6,6 +6,7 @@
 
 #include "apps/cli/formats.h"
 #include "far/base/index.h"
+#include "io/resampled_frames.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -23,17 +24,35 @@ Result<std::shared_ptr<const Io::FrameSource>> openFrames(const AnimationOptions
   return cache;
 }
 
+using Frames = std::shared_ptr<const Io::FrameSource>;
+
+Result<Frames> atRate(Frames frames, std::optional<double> framesPerSecond, const std::string& file) {
+  if (!framesPerSecond) return frames;
+  // A clip has been sampled at this rate already.
+  const float has = frames->info().framesPerSecond;
+  if (has > 0 && has == static_cast<float>(*framesPerSecond)) return frames;
+  const double made = frames->info().playedAt();
+  auto resampled = Io::ResampledFrames::create(std::move(frames), made, *framesPerSecond);
+  if (!resampled) return tl::unexpected(inFile(file, resampled.error()));
+  return resampled;
+}
+
 }  // namespace
 
-void addAnimationOptions(CLI::App& subcommand, AnimationOptions& options) {
+void addAnimationOptions(CLI::App& subcommand, AnimationOptions& options, ReadOptions& read) {
   subcommand.add_option("--cache", options.cache, "Point cache that animates IN (.pc2, .mdd)");
   subcommand.add_option("--frames", options.frames, "Frames a:b of the animation, b not included (default: all)");
+  subcommand.add_option("--fps", read.framesPerSecond,
+                        "Frames a second at which the animation is sampled; what doesn't say its own rate (.pc2, "
+                        "sequences) has 24 (default: as it was made)");
 }
 
 Result<Animation> openAnimation(const AnimationOptions& options, const MeshInput& input) {
-  const auto frames = openFrames(options, input);
-  if (!frames) return tl::unexpected(frames.error());
   const std::string& file = options.cache.empty() ? input.file : options.cache;
+  const auto frames = openFrames(options, input).and_then([&](Frames opened) {
+    return atRate(std::move(opened), input.framesPerSecond, file);
+  });
+  if (!frames) return tl::unexpected(frames.error());
   const Io::FrameInfo& info = (*frames)->info();
   if (info.pointCount != input.fileVertices)
     return fail(ErrorCode::invalidFile,

@@ -5,6 +5,7 @@
 
 #include "apps/cli/frame_range.h"
 #include "apps/cli/mesh_input.h"
+#include "apps/cli/read_options.h"
 #include "far/base/result.h"
 #include "io/frame_source.h"
 
@@ -20,8 +21,8 @@ struct AnimationOptions {
   std::string frames;  ///< a:b; empty: all
 };
 
-/// Adds --cache and --frames.
-void addAnimationOptions(CLI::App& subcommand, AnimationOptions& options);
+/// Adds --cache and --frames, and --fps, which is asked of whatever is read.
+void addAnimationOptions(CLI::App& subcommand, AnimationOptions& options, ReadOptions& read);
 
 /// The frames of a mesh, in the numbering of its file (MeshInput::fileVertices points each).
 struct Animation {
@@ -30,7 +31,9 @@ struct Animation {
   std::string file;  ///< for messages
 };
 
-/// Errors: invalidOption where there is nothing that moves, and for a range that isn't there; those of the reader;
+/// At the rate that was asked for: a clip is sampled at its moments, between the frames of other animations points move
+/// on lines; those that don't say how fast they are have 24 frames a second. Errors: invalidOption where there is
+/// nothing that moves, for such a rate, and for a range that isn't there; those of the reader;
 /// invalidFile where the frames are of another mesh.
 Result<Animation> openAnimation(const AnimationOptions& options, const MeshInput& input);
 

@@ -104,7 +104,7 @@ Result<std::unique_ptr<Bake>> prepare(const BakeCommand& command, const Session&
 }
 
 /// What file it is, as far as can be told without reading all of it.
-void addFile(Io::Checksum& sum, const std::string& file) {
+void addFile(Io::Checksum& sum, const std::filesystem::path& file) {
   struct stat status {};
   if (file.empty() || stat(file.c_str(), &status) != 0) return;
   sum.addValue(status.st_size);
@@ -125,6 +125,8 @@ std::uint64_t whatWasAsked(const Bake& bake) {
   sum.add(HONEYCOMB_VERSION);
   sum.add(std::filesystem::path(bake.command.output).extension().string());
   addFile(sum, bake.animation.file);
+  if (bake.command.animation.cache.empty())
+    for (const std::filesystem::path& file : bake.plan.mesh.input.files) addFile(sum, file);
   addFile(sum, bake.central.file);
   const Io::FrameInfo& info = bake.mesh.info;
   sum.addValue(bake.mesh.firstFrame);
@@ -245,13 +247,13 @@ Result<void> bake(const BakeCommand& command, const Session& session) {
 void addBake(CLI::App& app, Command& command) {
   const auto options = std::make_shared<BakeCommand>();
   CLI::App* subcommand = app.add_subcommand("bake", "Refine every frame of an animated mesh");
-  subcommand->add_option("IN", options->surface.input, "Control mesh: " + meshInputNames())->required();
+  subcommand->add_option("IN", options->surface.input, animatedInputHelp())->required();
   subcommand->add_option("OUT", options->output, "Refined frames (.pc2, .mdd, .glb, or a mesh a frame: name_%04d.obj)")
       ->required();
   subcommand->add_option("--mesh", options->mesh,
                          "Also write the refined mesh of the first frame baked (.obj, .ply, .glb)");
   subcommand->add_flag("--restart", options->restart, "Bake all frames, also those that an earlier run has left");
-  addAnimationOptions(*subcommand, options->animation);
+  addAnimationOptions(*subcommand, options->animation, options->surface.read);
   addSurfaceOptions(*subcommand, options->surface);
   addSessionOptions(*subcommand, command.session);
   subcommand->callback(

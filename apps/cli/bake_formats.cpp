@@ -18,8 +18,6 @@ namespace {
 
 using Layout = Result<std::shared_ptr<const Io::FrameLayout>>;
 
-constexpr double kUsualFramesPerSecond = 24;
-
 Layout pc2(std::string_view name, const BakedMesh& mesh) {
   return Io::pc2Layout(name, mesh.info);
 }
@@ -87,13 +85,8 @@ Result<BakeFormat> bakeFormat(const std::filesystem::path& path, const BakedMesh
 BakedMesh bakedTimes(const Io::FrameInfo& animation, std::int32_t begin, std::int32_t frames, std::int32_t points) {
   BakedMesh mesh;
   mesh.firstFrame = begin;
-  if (animation.framesPerSecond > 0)
-    mesh.framesPerSecond = animation.framesPerSecond;
-  else
-    mesh.framesPerSecond = kUsualFramesPerSecond;
-  // Where the time between two frames is that of the frame rate, times are in seconds; else they count frames.
-  const double perUnit =
-      std::abs(double{animation.rate} * animation.framesPerSecond - 1) < 1e-3 ? mesh.framesPerSecond : 1;
+  mesh.framesPerSecond = animation.playedAt();
+  const double perUnit = animation.countsSeconds() ? mesh.framesPerSecond : 1;
   mesh.info.pointCount = points;
   mesh.info.frameCount = frames;
   mesh.info.start = static_cast<float>((animation.start + double{animation.rate} * begin) * perUnit);

@@ -66,6 +66,10 @@ std::string meshInputNames() {
   return fmt::format("{}, {}", names(kMeshReaders), Io::sceneFormatNames());
 }
 
+std::string animatedInputHelp() {
+  return fmt::format("Control mesh ({}), or a mesh a frame: 'name_%04d.obj', 'name_*.ply'", meshInputNames());
+}
+
 Result<const CacheInput*> cacheInput(const std::filesystem::path& path) {
   return byExtension(kCacheInputs, "point cache", path);
 }

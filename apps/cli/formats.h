@@ -24,6 +24,9 @@ Result<ReadMesh> meshReader(const std::filesystem::path& path);
 /// ".obj, .ply, .gltf, ..": everything that a mesh can be read from.
 std::string meshInputNames();
 
+/// What the help of a command that plays says of its input: those, or a mesh a frame.
+std::string animatedInputHelp();
+
 /// A kind of point cache that can be read. A new one is one line of the table in formats.cpp.
 struct CacheInput {
   std::string_view name;  ///< the extension with its dot, in lower case

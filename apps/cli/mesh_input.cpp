@@ -76,16 +76,18 @@ Result<MeshInput> readFile(const std::string& file) {
                 fmt::format("{}: mesh files end in {}; give a file of that kind", file, meshInputNames()));
   Result<Io::Mesh> mesh = (*read)(file);
   if (!mesh) return tl::unexpected(inFile(file, mesh.error()));
-  return MeshInput{file, std::move(*mesh), 0, {}, {}, 0, {}, {}, {}};
+  MeshInput input;
+  input.file = file;
+  input.mesh = std::move(*mesh);
+  return input;
 }
 
 /// What only scenes have, asked of another file. Errors: invalidOption.
 Result<void> checkNoScene(const std::string& file, const ReadOptions& options) {
-  const char* option = !options.clip.empty()     ? "--clip"
-                       : !options.node.empty()   ? "--node"
-                       : options.framesPerSecond ? "--fps"
-                       : options.weld            ? "--weld"
-                                                 : nullptr;
+  const char* option = !options.clip.empty()   ? "--clip"
+                       : !options.node.empty() ? "--node"
+                       : options.weld          ? "--weld"
+                                               : nullptr;
   if (!option) return {};
   return fail(ErrorCode::invalidOption,
               fmt::format("{}: is for scenes ({}), and {} is none", option, Io::sceneFormatNames(), file));
@@ -98,8 +100,14 @@ Result<MeshInput> readScene(const std::string& file, const ReadOptions& options)
   if (options.weld) request.weld = *options.weld;
   Result<Io::SceneMesh> mesh = scene->mesh(request);
   if (!mesh) return tl::unexpected(inFile(file, mesh.error()));
-  MeshInput input{file,           std::move(mesh->mesh), 0, {}, std::move(mesh->frames), 0, scene->notes(),
-                  scene->clips(), scene->nodes()};
+  MeshInput input;
+  input.file = file;
+  input.mesh = std::move(mesh->mesh);
+  input.frames = std::move(mesh->frames);
+  input.files = scene->files();
+  input.notes = scene->notes();
+  input.clips = scene->clips();
+  input.nodes = scene->nodes();
   input.notes.insert(input.notes.end(), mesh->notes.begin(), mesh->notes.end());
   return input;
 }
@@ -112,6 +120,7 @@ Result<MeshInput> readSequence(const std::string& pattern) {
   if (!input) return input;
   const Result<ReadMesh> read = meshReader(files->front());
   if (!read) return tl::unexpected(read.error());
+  input->files = *files;
   input->frames = std::make_shared<const Io::MeshSequence>(std::move(*files), input->mesh, *read);
   return input;
 }
@@ -129,6 +138,7 @@ Result<MeshInput> readMesh(const std::string& file, const ReadOptions& options) 
   auto input = readAny(file, options);
   if (!input) return input;
   input->fileVertices = input->mesh.polygons.vertexCount;
+  input->framesPerSecond = options.framesPerSecond;
   if (options.splitNonManifold) splitNonManifold(*input);
   if (options.quads) pairTriangles(*input);
   if (options.dropIsolated) dropIsolated(*input);

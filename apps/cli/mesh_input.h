@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,8 @@ struct MeshInput {
   std::int32_t fileVertices = 0;   ///< vertices in the file
   std::vector<std::int32_t> kept;  ///< 0-based number in the file of each vertex of `mesh`; empty: all are there
   std::shared_ptr<const Io::FrameSource> frames;  ///< the file's own animation, all fileVertices; null: one pose only
+  std::optional<double> framesPerSecond;          ///< wanted of its animation; none: as it was made
+  std::vector<std::filesystem::path> files;       ///< that the mesh and its frames are read from besides `file`
   std::int64_t isolated = 0;                      ///< vertices that were left out
   std::vector<std::string> notes;                 ///< what was left out or changed while reading, a sentence each
   std::vector<Io::SceneClip> clips;               ///< all of a scene's

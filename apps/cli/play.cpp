@@ -2,6 +2,7 @@
 
 #include "apps/cli/chain.h"
 #include "apps/cli/commands.h"
+#include "apps/cli/formats.h"
 #include "apps/cli/play/options.h"
 
 namespace honeycomb::Cli {
@@ -29,8 +30,8 @@ void addPictureOptions(CLI::App& subcommand, Play::PlayCommand& command) {
 void addPlay(CLI::App& app, Command& command) {
   const auto options = std::make_shared<Play::PlayCommand>();
   CLI::App* subcommand = app.add_subcommand("play", "Watch an animated mesh refined, in a window or as pictures");
-  subcommand->add_option("IN", options->request.surface.input, "Control mesh")->required();
-  addAnimationOptions(*subcommand, options->request.animation);
+  subcommand->add_option("IN", options->request.surface.input, animatedInputHelp())->required();
+  addAnimationOptions(*subcommand, options->request.animation, options->request.surface.read);
   addSurfaceOptions(*subcommand, options->request.surface);
   addPictureOptions(*subcommand, *options);
   addSessionOptions(*subcommand, command.session);

@@ -12,8 +12,6 @@ void addReadOptions(CLI::App& subcommand, ReadOptions& options) {
   subcommand.add_option("--clip", options.clip, "Animation of a scene to play, by name (default: its first)");
   subcommand.add_option("--node", options.node,
                         "Node of a scene whose meshes are meant, with those below it (default: all)");
-  subcommand.add_option("--fps", options.framesPerSecond,
-                        "Frames a second at which a scene's clip is sampled (default: the clip's own, else 24)");
   subcommand.add_option(
       "--weld", options.weld,
       "Join vertices of a scene that seams have split, within this part of the bounding box's diagonal "

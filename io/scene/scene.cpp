@@ -16,7 +16,6 @@
 namespace honeycomb::Io {
 namespace {
 
-constexpr double kUsualFrames = 24;  // a second
 constexpr double kMostFrames = 1e7;
 
 template <class Named>
@@ -84,7 +83,7 @@ struct Scene::State {
   }
 
   Result<double> chooseRate(const SceneRequest& request, const Clip& clip) const {
-    const double usual = clip.framesPerSecond > 0 ? clip.framesPerSecond : kUsualFrames;
+    const double usual = clip.framesPerSecond > 0 ? clip.framesPerSecond : kUsualFramesPerSecond;
     const double rate = request.framesPerSecond.value_or(usual);
     if (rate > 0 && rate <= kMostFrames && clip.seconds * rate < kMostFrames) return rate;
     return fail(
@@ -117,6 +116,10 @@ const std::vector<SceneNode>& Scene::nodes() const {
 }
 const std::vector<std::string>& Scene::notes() const {
   return state_->data.notes;
+}
+
+const std::vector<std::filesystem::path>& Scene::files() const {
+  return state_->data.files;
 }
 
 Result<SceneMesh> Scene::mesh(const SceneRequest& request) const {

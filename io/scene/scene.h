@@ -69,6 +69,8 @@ class Scene {
   const std::vector<SceneNode>& nodes() const;
   /// What is in the file and left out.
   const std::vector<std::string>& notes() const;
+  /// The files it is read from besides its own: glTF's buffers.
+  const std::vector<std::filesystem::path>& files() const;
 
   /// Errors: invalidOption for a clip or node that isn't there, listing those that are, and for a rate or tolerance out
   /// of range; invalidMesh where no face is left. n log n in vertices.

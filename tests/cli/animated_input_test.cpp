@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "io/pc2.h"
@@ -69,6 +70,33 @@ TEST_F(AnimatedInputTest, DuplicatesOfVerticesMoveAsTheyDo) {
   EXPECT_EQ(info["dropped_vertices"], 1);
   EXPECT_THAT(info["notes"][0].get<std::string>(),
               HasSubstr("4 duplicates of vertices made it a manifold: 1 edge cut, 0 bow-ties parted"));
+}
+
+// Nobody says how fast they are: 24 frames a second.
+TEST_F(AnimatedInputTest, PointCachesAndSequencesAreBakedAtAnyRate) {
+  const std::string obj = torusObj(4), in = file("torus.obj", obj);
+  for (int f = 0; f < 3; ++f) (void)file("f" + std::to_string(f) + ".obj", withPositions(obj, bentFrame(obj, f)));
+  const std::string frames = cache("in.pc2", 16, 3, bentFrames(obj, 3));
+  std::vector<float> between = bentFrame(obj, 0), later = bentFrame(obj, 1);
+  for (std::size_t i = 0; i < between.size(); ++i)
+    between[i] = static_cast<float>(0.5 * double{between[i]} + 0.5 * double{later[i]});
+  const std::string half = cache("half.pc2", 16, 1, between);
+  expectDone({"bake", in, path("half_out.pc2"), "--cache", half, "--levels", "1"});
+  expectDone({"bake", in, path("whole_out.pc2"), "--cache", frames, "--levels", "1"});
+  for (const std::vector<std::string>& from : {std::vector<std::string>{in, "--cache", frames}, {path("f%d.obj")}}) {
+    std::vector<std::string> arguments{"bake", path("out.pc2"), "--levels", "1", "--fps", "48"};
+    arguments.insert(arguments.begin() + 1, from.begin(), from.end());
+    if (from.size() > 1) std::rotate(arguments.begin() + 2, arguments.begin() + 4, arguments.begin() + 5);
+    expectDone(arguments);
+    const std::string out = read("out.pc2"), whole = read("whole_out.pc2");
+    const std::size_t bytes = (whole.size() - kPc2Header) / 3;
+    ASSERT_EQ(out.size(), kPc2Header + 5 * bytes) << "0 to 2 in halves";
+    EXPECT_TRUE(out.substr(kPc2Header, bytes) == whole.substr(kPc2Header, bytes));
+    EXPECT_TRUE(out.substr(kPc2Header + bytes, bytes) == read("half_out.pc2").substr(kPc2Header));
+    EXPECT_TRUE(out.substr(kPc2Header + 4 * bytes) == whole.substr(kPc2Header + 2 * bytes));
+  }
+  EXPECT_REFUSED((std::vector<std::string>{"bake", in, path("no.pc2"), "--cache", frames, "--fps", "0"}),
+                 HasSubstr("in.pc2: 0 frames a second of 3 frames made at 24: give a positive rate"));
 }
 
 TEST_F(AnimatedInputTest, QuadsComeBackFromTheirTriangles) {

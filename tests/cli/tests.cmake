@@ -40,6 +40,7 @@ honeycomb_test(cli_bake_test
   LABELS threads
   SHARDS 2
   SOURCES
+    ${CMAKE_CURRENT_LIST_DIR}/bake_inputs_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bake_resume_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bake_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bake_tiles_test.cpp

@@ -18,6 +18,7 @@ honeycomb_test(io_tests
     io/ply_reader_test.cpp
     io/ply_writer_test.cpp
     io/png_test.cpp
+    io/resampled_frames_test.cpp
     io/text_cursor_test.cpp
     io/triangulate_test.cpp
   LIBRARIES honeycomb::io PNG::PNG nlohmann_json::nlohmann_json)

@@ -29,10 +29,14 @@ class GltfBuilder {
 
   /// The file; `rest`: its other members, scenes, nodes, meshes, skins and animations.
   std::string file(const std::string& rest) const {
-    return R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":)" + std::to_string(bytes_.size()) +
-           R"(,"uri":"data:application/octet-stream;base64,)" + base64() + R"("}],"bufferViews":[)" + views_ +
-           R"(],"accessors":[)" + accessors_ + "]," + rest + "}";
+    return fileBeside("data:application/octet-stream;base64," + base64(), rest);
   }
+  /// The same with its buffer, bytes(), under another URI.
+  std::string fileBeside(const std::string& uri, const std::string& rest) const {
+    return R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":)" + std::to_string(bytes_.size()) + R"(,"uri":")" +
+           uri + R"("}],"bufferViews":[)" + views_ + R"(],"accessors":[)" + accessors_ + "]," + rest + "}";
+  }
+  const std::string& bytes() const { return bytes_; }
 
  private:
   static void append(std::string& list, const std::string& item) { list += (list.empty() ? "" : ",") + item; }

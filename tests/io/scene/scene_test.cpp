@@ -181,6 +181,21 @@ TEST_F(CharacterFile, WhatIsWrongIsNamed) {
   EXPECT_THAT(Scene::open(path()).error().message, HasSubstr("begins as no .gltf file does"));
 }
 
+// Two triangles along an edge: of its two vertices, each twice in the file, one has two colours.
+TEST_F(CharacterFile, JoinedVerticesKeepTheFirstOfTheirColours) {
+  GltfBuilder file;
+  const auto text = [](int number) { return std::to_string(number); };
+  const std::string points = text(file.floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, "VEC3", 3));
+  const std::string colours = text(file.floats({1, 1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}, "VEC3", 3));
+  writeBytes(path(), file.file(R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[)"
+                               R"({"attributes":{"POSITION":)" +
+                               points + R"(,"COLOR_0":)" + colours + "}}]}]"));
+  const SceneMesh joined = mesh({});
+  EXPECT_EQ(joined.mesh.polygons.vertexCount, 4);
+  EXPECT_THAT(joined.mesh.colours, ElementsAre(1, 1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 0));
+  EXPECT_THAT(joined.notes, testing::Contains("1 joined vertices had another colour; the first of each is kept"));
+}
+
 // Assimp is handed whatever passes our own checks.
 TEST_F(CharacterFile, FilesWithFlippedBytesAreReadOrRefused) {
   honeycomb::Test::Random random(11);
