@@ -19,8 +19,12 @@ class SystemBlockFile : public BlockFile {
     if (!writeAllAt(file_.get(), offset, bytes)) return failSystem(ErrorCode::unwritable, name_, errno);
     return {};
   }
-  Result<void> close() override {
+  Result<void> sync() override {
     if (!syncToDisk(file_.get())) return failSystem(ErrorCode::unwritable, name_, errno);
+    return {};
+  }
+  Result<void> close() override {
+    if (Result<void> synced = sync(); !synced) return synced;
     if (!file_.close()) return failSystem(ErrorCode::unwritable, name_, errno);
     return {};
   }

@@ -17,6 +17,9 @@ class BlockFile {
 
   /// Writes the bytes at `offset`; what lay between is zero until it is written. Thread-safe. Errors: unwritable.
   virtual Result<void> writeAt(std::int64_t offset, std::span<const std::byte> bytes) = 0;
+  /// Writes to the disk what this process, at least, has written so far, without the others. Thread-safe. Errors:
+  /// unwritable.
+  virtual Result<void> sync() = 0;
   /// Writes all to the disk and closes. Nothing can be written afterwards. Errors: unwritable.
   virtual Result<void> close() = 0;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "io/block_file.h"
 #include "io/frame_layout.h"
 #include "io/frame_writer.h"
+#include "io/periodic_sync.h"
 
 namespace honeycomb::Io {
 
@@ -17,12 +19,12 @@ namespace honeycomb::Io {
 std::uint64_t frameChecksum(std::span<const std::byte> bytes);
 
 /// Writes the frames of an UnfinishedFile, each to its place, and enters them in its journal: both opened by whoever
-/// writes, one process of many perhaps. Thread-safe, any order.
+/// writes, one process of many perhaps. Both go to the disk from time to time, frames first. Thread-safe, any order.
 class BlockWriter : public FrameWriter {
  public:
   /// `name` stands for the output in messages.
   BlockWriter(std::string name, std::shared_ptr<const FrameLayout> layout, std::unique_ptr<BlockFile> frames,
-              std::unique_ptr<BlockFile> journal);
+              std::unique_ptr<BlockFile> journal, std::chrono::steady_clock::duration syncEvery = kSyncEvery);
 
   Result<void> write(std::int32_t f, std::span<const float> points) override;
   Result<void> close() override;
@@ -32,6 +34,7 @@ class BlockWriter : public FrameWriter {
   std::shared_ptr<const FrameLayout> layout_;
   std::unique_ptr<BlockFile> frames_;
   std::unique_ptr<BlockFile> journal_;
+  PeriodicSync sync_;
 };
 
 }  // namespace honeycomb::Io

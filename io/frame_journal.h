@@ -20,7 +20,8 @@ std::filesystem::path besideOutput(const std::filesystem::path& target, const st
 /// Which frames of an output are whole, on disk beside it, so that a run that was killed goes on where it stood:
 ///     | "HONEYJ1\n" 8 | what was asked 8 | frames 4 | 0 4 | a checksum of each frame 8, 0: it isn't there |
 /// in the machine's byte order. A frame's checksum is written after the frame, and compared when the run goes on: that
-/// needs no order of writes on the disk, so nothing waits for it, and power may fail too.
+/// needs no order of writes on the disk, so power may fail too. What it costs then is what has been written since the
+/// last PeriodicSync.
 class FrameJournal {
  public:
   /// Creates or opens it and locks out others that would write the same output. `asked` tells one task from another

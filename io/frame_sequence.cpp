@@ -47,9 +47,9 @@ void UnfinishedSequence::discard() {
 
 Result<void> SequenceWriter::write(std::int32_t f, std::span<const float> points) {
   if (Result<void> sound = checkWritten(name_, sequence_.info, f, points); !sound) return sound;
-  return sequence_.writeFrame(sequence_.file(f), points).and_then([&] {
-    return FrameJournal::enter(*journal_, f, frameChecksum(std::as_bytes(points)));
-  });
+  return sequence_.writeFrame(sequence_.file(f), points)
+      .and_then([&] { return FrameJournal::enter(*journal_, f, frameChecksum(std::as_bytes(points))); })
+      .and_then([&] { return sync_.afterWrite({journal_.get()}); });
 }
 
 }  // namespace honeycomb::Io

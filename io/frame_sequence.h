@@ -10,6 +10,7 @@
 #include "io/frame_names.h"
 #include "io/frame_source.h"
 #include "io/frame_writer.h"
+#include "io/periodic_sync.h"
 #include "io/unfinished_frames.h"
 
 namespace honeycomb::Io {
@@ -57,6 +58,7 @@ class SequenceWriter : public FrameWriter {
   std::string name_;
   FrameSequence sequence_;
   std::unique_ptr<BlockFile> journal_;
+  PeriodicSync sync_;  // of the journal: each file is on the disk before it has its name
 };
 
 }  // namespace honeycomb::Io

@@ -29,7 +29,7 @@ Result<void> UnfinishedFrames::begin(const std::vector<std::uint64_t>& entries) 
   missing_.clear();
   for (std::size_t f = 0; f < entries.size(); ++f)
     if (entries[f] == 0) missing_.push_back(static_cast<std::int32_t>(f));
-  return journal_.begin(entries);
+  return journal_.begin(entries).map([this] { syncFolderOf(journal_.file()); });
 }
 
 Result<void> UnfinishedFrames::checkWhole() const {

@@ -142,5 +142,47 @@ TEST(Checksum, PiecesCountAsTheWhole) {
   EXPECT_NE(sum.value(), checksum(std::span(bytes).first(999)));
 }
 
+/// Writes down what is asked of it.
+class ListedFile : public BlockFile {
+ public:
+  ListedFile(std::string name, std::vector<std::string>& calls) : name_(std::move(name)), calls_(calls) {}
+  Result<void> writeAt(std::int64_t, std::span<const std::byte>) override { return list("write "); }
+  Result<void> sync() override { return list("sync "); }
+  Result<void> close() override { return list("close "); }
+
+ private:
+  Result<void> list(const std::string& call) {
+    calls_.push_back(call + name_);
+    return {};
+  }
+  std::string name_;
+  std::vector<std::string>& calls_;
+};
+
+std::vector<std::string> callsOfTwoFrames(std::chrono::steady_clock::duration syncEvery) {
+  std::vector<std::string> calls;
+  const auto layout = *pc2Layout("a.pc2", {1, 2, 0, 1});
+  BlockWriter writer("a.pc2", layout, std::make_unique<ListedFile>("frames", calls),
+                     std::make_unique<ListedFile>("journal", calls), syncEvery);
+  for (const std::int32_t f : {0, 1}) EXPECT_TRUE(writer.write(f, std::vector<float>{1, 2, 3}));
+  EXPECT_TRUE(writer.close());
+  return calls;
+}
+
+// A journal on the disk names no frame that isn't there: frames go first.
+TEST(BlockWriterTest, FramesGoToTheDiskAheadOfTheirJournal) {
+  const std::vector<std::string> eachFrame{"write frames", "write journal", "sync frames", "sync journal"};
+  std::vector<std::string> expected = eachFrame;
+  expected.insert(expected.end(), eachFrame.begin(), eachFrame.end());
+  expected.insert(expected.end(), {"close frames", "close journal"});
+  EXPECT_EQ(callsOfTwoFrames(std::chrono::seconds(0)), expected);
+}
+
+TEST(BlockWriterTest, FramesDontWaitForTheDiskOneByOne) {
+  EXPECT_EQ(callsOfTwoFrames(std::chrono::hours(1)),
+            (std::vector<std::string>{"write frames", "write journal", "write frames", "write journal", "close frames",
+                                      "close journal"}));
+}
+
 }  // namespace
 }  // namespace honeycomb::Io::Test

@@ -1,7 +1,9 @@
 #pragma once
 
 #define OMPI_SKIP_MPICXX
+#include <fcntl.h>
 #include <mpi.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <filesystem>
@@ -9,6 +11,7 @@
 #include <string>
 
 #include "io/block_file.h"
+#include "io/file_descriptor.h"
 #include "io/system_error.h"
 
 namespace honeycomb::Cli {
@@ -27,8 +30,9 @@ inline tl::unexpected<Error> failMpi(const std::filesystem::path& name, int code
 /// one thread at a time, whence the mutex.
 class MpiBlockFile : public Io::BlockFile {
  public:
-  MpiBlockFile(MPI_File file, std::filesystem::path name, std::mutex& calls)
-      : file_(file), name_(std::move(name)), calls_(calls) {}
+  /// `path` is the file's, `name` stands for it in messages.
+  MpiBlockFile(MPI_File file, std::filesystem::path path, std::filesystem::path name, std::mutex& calls)
+      : file_(file), path_(std::move(path)), name_(std::move(name)), calls_(calls) {}
 
   Result<void> writeAt(std::int64_t offset, std::span<const std::byte> bytes) override {
     const std::lock_guard lock(calls_);
@@ -46,6 +50,13 @@ class MpiBlockFile : public Io::BlockFile {
     }
     return {};
   }
+  // MPI_File_sync is collective: it would have a rank wait for the slowest. The system knows the file by its name, and
+  // brings to the disk what this machine has written of it.
+  Result<void> sync() override {
+    const Io::FileDescriptor opened(::open(path_.c_str(), O_WRONLY | O_CLOEXEC));
+    if (opened.valid() && ::fsync(opened.get()) == 0) return {};
+    return Io::failSystem(ErrorCode::unwritable, name_, errno);
+  }
   Result<void> close() override {
     const std::lock_guard lock(calls_);
     errno = 0;
@@ -61,7 +72,7 @@ class MpiBlockFile : public Io::BlockFile {
   static constexpr std::size_t kMostBytes = std::size_t{1} << 30U;  // MPI counts in int
 
   MPI_File file_;
-  std::filesystem::path name_;
+  std::filesystem::path path_, name_;
   std::mutex& calls_;
 };
 

@@ -111,7 +111,7 @@ class MpiRanks : public Ranks {
     errno = 0;
     const int code = MPI_File_open(MPI_COMM_WORLD, file.c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &opened);
     if (code != MPI_SUCCESS) return failMpi(name, code, errno);
-    return std::make_unique<MpiBlockFile>(opened, name, calls_);
+    return std::make_unique<MpiBlockFile>(opened, file, name, calls_);
   }
   std::int64_t next() override {
     const std::lock_guard lock(calls_);
