@@ -10,8 +10,6 @@
 #include "apps/cli/chain.h"
 #include "io/mdd.h"
 #include "io/pc2.h"
-#include "io/ply.h"
-#include "io/scene/scene.h"
 #include "io/scene/scene_format.h"
 
 namespace honeycomb::Cli {
@@ -26,12 +24,6 @@ Result<std::shared_ptr<const Io::FrameSource>> openReader(const std::filesystem:
 
 constexpr std::array kCacheInputs{CacheInput{".pc2", openReader<Io::Pc2Reader>},
                                   CacheInput{".mdd", openReader<Io::MddReader>}};
-
-struct MeshReader {
-  std::string_view name;
-  ReadMesh read;
-};
-constexpr std::array kMeshReaders{MeshReader{".obj", Io::readObj}, MeshReader{".ply", Io::readPly}};
 
 template <class Table>
 auto byExtension(const Table& table, std::string_view kind, const std::filesystem::path& path)
@@ -56,14 +48,6 @@ std::string lowerExtension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
-}
-
-Result<ReadMesh> meshReader(const std::filesystem::path& path) {
-  return byExtension(kMeshReaders, "mesh", path).map([](const MeshReader* reader) { return reader->read; });
-}
-
-std::string meshInputNames() {
-  return fmt::format("{}, {}", names(kMeshReaders), Io::sceneFormatNames());
 }
 
 std::string animatedInputHelp() {

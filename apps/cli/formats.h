@@ -11,18 +11,14 @@
 #include "far/base/result.h"
 #include "io/frame_source.h"
 #include "io/mesh.h"
+#include "io/mesh_formats.h"
 #include "io/obj.h"
 
 namespace honeycomb::Cli {
 
-using ReadMesh = Result<Io::Mesh> (*)(const std::filesystem::path&);
-
-/// What reads a mesh of one pose, by its extension; a new format is one line of the table in formats.cpp. Errors:
-/// invalidOption, listing them.
-Result<ReadMesh> meshReader(const std::filesystem::path& path);
-
-/// ".obj, .ply, .gltf, ..": everything that a mesh can be read from.
-std::string meshInputNames();
+using Io::meshInputNames;
+using Io::meshReader;
+using Io::ReadMesh;
 
 /// What the help of a command that plays says of its input: those, or a mesh a frame.
 std::string animatedInputHelp();

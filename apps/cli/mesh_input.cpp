@@ -71,9 +71,7 @@ std::int64_t lineOf(const Io::Mesh& mesh, const Far::Defect& defect) {
 
 Result<MeshInput> readFile(const std::string& file) {
   const Result<ReadMesh> read = meshReader(file);
-  if (!read)
-    return fail(ErrorCode::invalidOption,
-                fmt::format("{}: mesh files end in {}; give a file of that kind", file, meshInputNames()));
+  if (!read) return tl::unexpected(read.error());
   Result<Io::Mesh> mesh = (*read)(file);
   if (!mesh) return tl::unexpected(inFile(file, mesh.error()));
   MeshInput input;
