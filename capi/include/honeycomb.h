@@ -1,0 +1,317 @@
+/* honeycomb.h: honeycomb subdivision of deforming meshes, for C99 and whoever speaks it. Needs nothing but this header
+ * and libhoneycomb. docs/c_api.md is the page about it.
+ *
+ *     once a mesh      hc_tables_create() from polygons and the text of a scheme; index buffers and counts from the
+ * tables every frame      hc_evaluate() on the CPU, or hc_vulkan_record() into a command buffer of yours
+ *
+ * Every function that can fail returns an hc_status, leaves its outputs alone when it fails and never throws, prints or
+ * exits. Numbers of elements and levels count from 0; indices are 32-bit; coordinates are float.
+ *
+ * Structs that may grow begin with struct_size: set it to sizeof(the struct), and what you don't name to 0, which is
+ * every option's default. A library that is newer than the program reads what the program knows; an older one refuses
+ * members that it doesn't know unless they are 0. Pointers to options may be NULL: all defaults.
+ *
+ * Threads: each function says what it may run beside. Objects that are `const` in a function's arguments are only read:
+ * any number of threads may use them at once. Destroying an object while another thread uses it is an error of the
+ * caller. Objects keep alive what they were made from: they may be destroyed in any order; destroying NULL does
+ * nothing. */
+#ifndef HONEYCOMB_H
+#define HONEYCOMB_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(_WIN32) && defined(HC_BUILD)
+#define HC_API __declspec(dllexport)
+#elif defined(_WIN32) && !defined(HC_STATIC)
+#define HC_API __declspec(dllimport)
+#elif defined(__GNUC__)
+#define HC_API __attribute__((visibility("default")))
+#else
+#define HC_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Version -------------------------------------------------------------------------------------------------------
+ */
+
+#define HC_VERSION_MAJOR 0
+#define HC_VERSION_MINOR 1
+#define HC_VERSION_PATCH 0
+#define HC_MAKE_VERSION(major, minor, patch) (((uint32_t)(major) << 22) | ((uint32_t)(minor) << 12) | (uint32_t)(patch))
+#define HC_VERSION HC_MAKE_VERSION(HC_VERSION_MAJOR, HC_VERSION_MINOR, HC_VERSION_PATCH)
+
+/* The version of the library that runs; the header's is HC_VERSION. Before 1.0 another minor version is another library
+ * (the soname says so); from then on another major one. Any thread. */
+HC_API uint32_t hc_version(void);
+
+/* ---- Errors --------------------------------------------------------------------------------------------------------
+ */
+
+typedef int32_t hc_status;
+enum {
+  HC_OK = 0,
+  HC_ERROR_INVALID_ARGUMENT = 1,  /* NULL, a count, an index, a buffer or an option out of its range */
+  HC_ERROR_INVALID_MESH = 2,      /* the polygons are not an oriented manifold */
+  HC_ERROR_INVALID_FILE = 3,      /* a file that can't be understood */
+  HC_ERROR_INVALID_POSITIONS = 4, /* NaN or infinity */
+  HC_ERROR_TOO_LARGE = 5,         /* past 2^31 - 1 corners, or past the memory allowed */
+  HC_ERROR_UNREADABLE = 6,        /* the system refused to open or read */
+  HC_ERROR_UNWRITABLE = 7,        /* the system refused to create or write */
+  HC_ERROR_NO_DEVICE = 8,         /* no usable Vulkan */
+  HC_ERROR_DEVICE_LOST = 9,       /* the Vulkan device stopped answering */
+  HC_ERROR_OUT_OF_MEMORY = 10,    /* of the host or the device */
+  HC_ERROR_UNSUPPORTED = 11,      /* this library, file or device lacks something that is needed */
+  HC_ERROR_INTERNAL = 12          /* a defect of the library */
+};
+
+/* "HC_ERROR_INVALID_MESH"; "unknown hc_status" for numbers that are none. Any thread. */
+HC_API const char* hc_status_name(hc_status status);
+
+/* What went wrong in the last call on the calling thread that failed: one line of UTF-8, what and what to do, cut at
+ * 1023 bytes; "" before the first. Options are called as on the command line, --NAME. Valid until the thread's next
+ * failure or end. Any thread: each has its own. */
+HC_API const char* hc_last_message(void);
+
+typedef int32_t hc_element;
+enum { HC_ELEMENT_NONE = 0, HC_ELEMENT_VERTEX = 1, HC_ELEMENT_FACE = 2, HC_ELEMENT_OTHER = 3 };
+
+/* The number of the vertex or face of the caller's mesh, or of something else such as a line, that hc_last_message() is
+ * about, -1: none; `kind` (may be NULL) says which. Any thread: each has its own. */
+HC_API int64_t hc_last_element(hc_element* kind);
+
+/* ---- Context -------------------------------------------------------------------------------------------------------
+ */
+
+/* Where the blocks of the objects that this API hands out come from, those of a context's own. The arrays in them
+ * (tables, scratch memory of evaluators) come from the C++ library's operator new, which callbacks can't reach:
+ * hc_tables_options.memory_limit bounds them, hc_tables_info tells their size. Host memory of Vulkan objects:
+ * hc_vulkan_device.allocator. Called from whichever thread calls the API. */
+typedef struct hc_allocator {
+  void* user;                                                   /* handed to both */
+  void* (*allocate)(void* user, size_t size, size_t alignment); /* NULL: there is none, HC_ERROR_OUT_OF_MEMORY */
+  void (*release)(void* user, void* block);                     /* of a block that allocate() gave */
+} hc_allocator;
+
+typedef int32_t hc_severity;
+enum { HC_LOG_NOTE = 0, HC_LOG_ERROR = 1 };
+
+typedef struct hc_context_options {
+  size_t struct_size;
+  hc_allocator allocator; /* both functions or neither: malloc() and free() */
+  /* Called with what hc_last_message() says of every failure (HC_LOG_ERROR), and with what is no error but worth
+   * knowing (HC_LOG_NOTE): what reading a file left out, steps that a scheme adds. On the thread of the call that it is
+   * about, before that returns; must be safe from several threads if the API is called from several, and return. */
+  void (*log)(void* log_user, hc_severity severity, const char* message);
+  void* log_user;
+} hc_context_options;
+
+typedef struct hc_context hc_context;
+
+/* Where a context is taken NULL may be given: malloc(), and no log. Any thread. */
+HC_API hc_status hc_context_create(const hc_context_options* options, hc_context** context);
+HC_API void hc_context_destroy(hc_context* context);
+
+/* ---- Meshes --------------------------------------------------------------------------------------------------------
+ */
+
+/* An edge that stays sharp for that many steps, from 10 on for all of them, as in OpenSubdiv. */
+typedef struct hc_crease {
+  int32_t vertex0, vertex1;
+  double sharpness; /* >= 0 */
+} hc_crease;
+
+/* An oriented manifold of polygons: each face the loop of its vertices, counter-clockwise seen from outside. Only read.
+ */
+typedef struct hc_polygons {
+  size_t struct_size;
+  int32_t vertex_count;
+  int64_t face_count;
+  const int32_t* face_sizes;    /* face_count numbers of sides, from 3 */
+  const int64_t* face_offsets;  /* or face_count + 1 places in face_vertices, from 0; exactly one of the two */
+  const int32_t* face_vertices; /* face after face */
+  int64_t face_vertex_count;    /* numbers in face_vertices: the sum of all sides */
+  const hc_crease* creases;     /* crease_count; NULL if 0 */
+  int64_t crease_count;
+  const int32_t* corners; /* boundary vertices that the brick boundary keeps in place; NULL if there are none */
+  int64_t corner_count;
+} hc_polygons;
+
+typedef struct hc_mesh hc_mesh;
+
+/* Reads a mesh: OBJ with creases, PLY, and where the library has Assimp the first pose of glTF, FBX, COLLADA ..; `path`
+ * is UTF-8. Errors: UNREADABLE, INVALID_FILE, INVALID_POSITIONS, TOO_LARGE, INVALID_ARGUMENT for a format there isn't.
+ * Any thread. */
+HC_API hc_status hc_mesh_read(hc_context* context, const char* path, hc_mesh** mesh);
+HC_API void hc_mesh_destroy(hc_mesh* mesh);
+/* Its polygons, whose pointers lead into the mesh. polygons->struct_size is set by the caller. Any thread. */
+HC_API hc_status hc_mesh_polygons(const hc_mesh* mesh, hc_polygons* polygons);
+/* x y z a vertex, in the mesh's own memory; `count` (may be NULL): how many numbers. Any thread. */
+HC_API hc_status hc_mesh_positions(const hc_mesh* mesh, const float** positions, size_t* count);
+
+/* ---- Tables --------------------------------------------------------------------------------------------------------
+ */
+
+/* An option of a scheme by its name on the command line, without the dashes: {"tension", "sqrt3"}, {"boundary",
+ * "eq16"}. README lists them. "ccv" and "ccv-offset" are none here: see central_points. */
+typedef struct hc_option {
+  const char* name;
+  const char* value; /* a flag's is not looked at and may be NULL */
+} hc_option;
+
+/* Unit normals of the last level's vertices. */
+typedef int32_t hc_normals;
+enum {
+  HC_NORMALS_NONE = 0,
+  HC_NORMALS_FAST = 1, /* of a few limit normals of faces round the vertex: for playback */
+  HC_NORMALS_EXACT = 2 /* of the limit surface: slower */
+};
+
+typedef int32_t hc_order;
+enum {
+  HC_ORDER_INPUT = 0,
+  HC_ORDER_SPATIAL = 1 /* faces that are near each other have near numbers: faster where the caller's order is random */
+};
+
+typedef struct hc_tables_options {
+  size_t struct_size;
+  const char* scheme;       /* "akleman", "half-box", .., or a chain "catmull-clark:1,akleman:3"; NULL: akleman */
+  int32_t levels;           /* of a scheme, 1 .. 20; 0: 2. Of a chain 0 or their sum */
+  const hc_option* options; /* option_count; NULL if 0 */
+  size_t option_count;
+  hc_normals normals;     /* which evaluators will be asked for, at the last level */
+  int32_t tiles;          /* not 0: also build tiles, with which a frame takes a fraction of the time; 15 to 150 ns a
+                           * vertex to build, 3 bytes a vertex */
+  int32_t limits;         /* not 0: also build limit positions and normals of the last level (hc_evaluate_limits) */
+  int32_t central_points; /* not 0: control points are [vertices | a central control vertex a face], for schemes that
+                           * have them (zhang-wang); 0: these take the barycentres */
+  hc_order order;
+  int64_t memory_limit; /* bytes the tables may take; 0: no limit */
+} hc_tables_options;
+
+/* All that a mesh's connectivity decides, built once. Never changes. */
+typedef struct hc_tables hc_tables;
+
+/* Builds the tables of all levels. Linear in the vertices of the last level. Errors: INVALID_MESH (hc_last_element() is
+ * the face or vertex), INVALID_ARGUMENT, TOO_LARGE, UNSUPPORTED, OUT_OF_MEMORY. Any thread. */
+HC_API hc_status hc_tables_create(hc_context* context, const hc_polygons* polygons, const hc_tables_options* options,
+                                  hc_tables** tables);
+HC_API void hc_tables_destroy(hc_tables* tables);
+
+typedef struct hc_tables_info {
+  size_t struct_size;
+  int32_t level_count;    /* the last level; more than asked for where half-box converts a mesh in a step of its own */
+  int32_t limits;         /* 1: hc_evaluate_limits() works */
+  hc_normals normals;     /* that evaluators find */
+  int32_t tiles;          /* 1: there are tiles */
+  int64_t control_points; /* points of level 0 */
+  int64_t bytes;          /* of all arrays */
+} hc_tables_info;
+/* info->struct_size is set by the caller. Any thread. */
+HC_API hc_status hc_tables_get_info(const hc_tables* tables, hc_tables_info* info);
+
+typedef struct hc_level_counts {
+  size_t struct_size;
+  int64_t points; /* that evaluation reads (level 0) or writes: vertices, and behind them central control vertices */
+  int64_t vertices, edges, faces;
+  int64_t corners; /* of all faces: their sides added up */
+  int64_t boundary_edges;
+  int64_t triangle_indices; /* what hc_tables_triangles() writes */
+  int64_t line_indices;     /* what hc_tables_lines() writes */
+} hc_level_counts;
+/* Of level 0 .. level_count. counts->struct_size is set by the caller. Any thread. */
+HC_API hc_status hc_tables_get_counts(const hc_tables* tables, int32_t level, hc_level_counts* counts);
+
+/* The faces of a level, in the tables' own memory: face f is vertices[offsets[f]] .. vertices[offsets[f + 1] - 1];
+ * `faces` + 1 offsets. At level 0 faces are sorted by their number of sides: hc_tables_face_origins() leads to the
+ * caller's. Either output may be NULL. Any thread. */
+HC_API hc_status hc_tables_faces(const hc_tables* tables, int32_t level, const int32_t** offsets,
+                                 const int32_t** vertices);
+/* Writes the faces cut into triangles, fans from their first corners, three indices each. `capacity`: numbers that
+ * `indices` holds, at least triangle_indices. Any thread. */
+HC_API hc_status hc_tables_triangles(const hc_tables* tables, int32_t level, int32_t* indices, int64_t capacity);
+/* Writes the edges, each once, two indices each; capacity: at least line_indices. Any thread. */
+HC_API hc_status hc_tables_lines(const hc_tables* tables, int32_t level, int32_t* indices, int64_t capacity);
+
+/* The control face or control vertex, in the caller's numbers, that a refined face or vertex descends from, and the
+ * level it first appeared at: for materials, selections, picking. */
+typedef struct hc_origin {
+  int32_t number;
+  int32_t level;
+  hc_element kind; /* HC_ELEMENT_FACE or HC_ELEMENT_VERTEX */
+} hc_origin;
+/* Of each face (vertex) of a level; capacity: at least `faces` (`vertices`) of them. Any thread. */
+HC_API hc_status hc_tables_face_origins(const hc_tables* tables, int32_t level, hc_origin* origins, int64_t capacity);
+HC_API hc_status hc_tables_vertex_origins(const hc_tables* tables, int32_t level, hc_origin* origins, int64_t capacity);
+
+/* ---- Evaluation on the CPU -----------------------------------------------------------------------------------------
+ */
+
+/* Where the values of points lie in a buffer of `size` floats; positions have length 3, texture coordinates 2, anything
+ * from 1:
+ *     | offset |  length  |  ...        |  length  |  ...
+ *              |<--------- stride ----->|<--------- stride -----
+ *     point:   0                        1
+ * `stride` >= `length`, `offset` >= 0; the last point needs no more than its length. Only described values are touched.
+ */
+typedef struct hc_points {
+  const float* data;
+  size_t size;
+  int32_t offset, length, stride;
+} hc_points;
+typedef struct hc_points_out {
+  float* data;
+  size_t size;
+  int32_t offset, length, stride;
+} hc_points_out;
+
+/* All give the same bits. */
+typedef int32_t hc_backend;
+enum {
+  HC_BACKEND_AUTO = 0,       /* tbb-tiled where the tables have tiles, else tbb */
+  HC_BACKEND_SERIAL = 1,     /* plain loops, level after level: the reference */
+  HC_BACKEND_SIMD = 2,       /* the CPU's vectors, one thread */
+  HC_BACKEND_TBB = 3,        /* vectors on all threads of the calling thread's oneTBB arena */
+  HC_BACKEND_SIMD_TILED = 4, /* tile after tile, one thread; needs tables with tiles */
+  HC_BACKEND_TBB_TILED = 5   /* tiles on all threads; needs tables with tiles */
+};
+
+typedef struct hc_evaluator_options {
+  size_t struct_size;
+  hc_backend backend;
+  int32_t unchecked; /* not 0: points are not looked through for NaN and infinity first, which takes about as long as
+                      * reading them */
+} hc_evaluator_options;
+
+/* Working memory of evaluations, kept from frame to frame: once warm nothing is allocated. */
+typedef struct hc_evaluator hc_evaluator;
+
+/* Any thread. */
+HC_API hc_status hc_evaluator_create(hc_context* context, const hc_evaluator_options* options,
+                                     hc_evaluator** evaluator);
+HC_API void hc_evaluator_destroy(hc_evaluator* evaluator);
+
+/* From the control points to those of level 1 .. level_count, of the same length. `normals` (may be NULL): unit
+ * normals, length 3, a zero vector where there is no direction, of the last level's points; needs control points of
+ * length 3, or 4 whose first three are positions, and tables with normals. Refined points and normals may be
+ * interleaved in one buffer, but not overlap each other or the control points. Errors: INVALID_ARGUMENT,
+ * INVALID_POSITIONS (hc_last_element() is the point), OUT_OF_MEMORY: what is written is then undefined where that came
+ * late. One thread at a time may use an evaluator; tables are shared. */
+HC_API hc_status hc_evaluate(hc_evaluator* evaluator, const hc_tables* tables, int32_t level, const hc_points* control,
+                             const hc_points_out* refined, const hc_points_out* normals);
+
+/* Limit positions and unit normals (either may be NULL) of the vertices or faces of the last level (`kind`:
+ * HC_ELEMENT_VERTEX or HC_ELEMENT_FACE), from its points; all of length 3. Needs tables with limits or exact normals.
+ * Errors and threads: as hc_evaluate(). */
+HC_API hc_status hc_evaluate_limits(hc_evaluator* evaluator, const hc_tables* tables, hc_element kind,
+                                    const hc_points* points, const hc_points_out* positions,
+                                    const hc_points_out* normals);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,9 @@
+/* The parts of c_api_test, a file each. */
+#ifndef HONEYCOMB_TESTS_CAPI_PARTS_H
+#define HONEYCOMB_TESTS_CAPI_PARTS_H
+
+void test_meshes(const char* folder); /* where files may be written */
+void test_tables(void);
+void test_evaluation(void);
+
+#endif
