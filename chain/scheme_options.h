@@ -11,6 +11,7 @@ namespace honeycomb::Chain {
 
 /// An option that some schemes have; which ones is said by the entries of schemes().
 struct SchemeOption {
+  /// What is written behind it; a flag has nothing.
   enum class Kind { text, number, flag };
   std::string_view name;      ///< "--tension"
   Kind kind = Kind::text;     ///< text may be a number too
@@ -32,6 +33,7 @@ class SchemeOptions {
  public:
   std::string scheme = "akleman";  ///< a name, or a chain such as "akleman:1,half-box:2"
 
+  /// Did the user write it?
   bool given(const SchemeOption& option) const;
   /// What was given, or the option's fallback.
   std::string text(const SchemeOption& option) const;

@@ -35,6 +35,7 @@ struct SchemeEntry {
   bool limits = true;                                 ///< limit positions and normals are known
   bool patches = false;                               ///< its limit surface has a PatchTable
 
+  /// Is it an option of this scheme?
   bool has(const SchemeOption& option) const {
     return std::any_of(options.begin(), options.end(),
                        [&](const SchemeOption* own) { return own->name == option.name; });

@@ -22,6 +22,7 @@ class FrameLayout {
   const FrameInfo& info() const { return info_; }
   std::span<const std::byte> header() const { return header_; }
   std::int64_t frameBytes() const { return frameBytes_; }
+  /// Bytes of the file before frame f.
   std::int64_t frameOffset(std::int32_t f) const { return std::ssize(header_) + f * frameBytes_; }
   std::int64_t fileBytes() const { return frameOffset(info_.frameCount); }
 

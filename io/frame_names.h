@@ -14,6 +14,7 @@ class FrameNames {
   /// other, so that a name with a percent sign is a name.
   static std::optional<FrameNames> parse(const std::filesystem::path& path);
 
+  /// The path of a frame, folder and all.
   std::filesystem::path operator()(std::int64_t frame) const { return folder_ / name(frame); }
   /// Without the folder.
   std::string name(std::int64_t frame) const;

@@ -23,6 +23,7 @@ struct FrameSequence {
   /// Writes one frame, under its name when whole; thread-safe.
   std::function<Result<void>(const std::filesystem::path&, std::span<const float> points)> writeFrame;
 
+  /// The file of frame f, counted from 0.
   std::filesystem::path file(std::int32_t f) const { return names(firstNumber + f); }
 };
 

@@ -30,6 +30,7 @@ class FrameSource {
  public:
   virtual ~FrameSource() = default;
 
+  /// What all frames have in common.
   virtual const FrameInfo& info() const = 0;
   /// The 3 x pointCount coordinates of frame f, counted from 0, in `storage` or in memory of the source's own that
   /// lives as long as it does. Thread-safe; any order. Errors: invalidOption when there is no such frame;

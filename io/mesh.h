@@ -24,6 +24,7 @@ struct Mesh {
   std::vector<std::int64_t> creaseLines;      ///< the same of each of polygons.creases
   std::vector<std::int64_t> cornerLines;      ///< the same of each of polygons.corners
 
+  /// x y z of vertex v.
   std::span<const double> position(std::int64_t v) const {
     return std::span<const double>(positions).subspan(static_cast<std::size_t>(3 * v), 3);
   }

@@ -28,6 +28,7 @@ Result<std::vector<std::filesystem::path>> sequenceFiles(const std::filesystem::
 /// for; nothing of it is kept but what the caller keeps. Thread-safe.
 class MeshSequence : public FrameSource {
  public:
+  /// Reads one of the files, such as readObj() or readPly().
   using Read = Result<Mesh> (*)(const std::filesystem::path&);
 
   /// `first`: the mesh of files[0], which isn't empty.

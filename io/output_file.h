@@ -28,6 +28,7 @@ class OutputFile {
 
   /// Appends. Errors: unwritable (disk full and the like); once one occurred, every later call returns it too.
   Result<void> write(std::span<const std::byte> bytes);
+  /// The same of text.
   Result<void> write(std::string_view text);
   /// Flushes to disk and renames; nothing can be written afterwards. Errors: unwritable.
   Result<void> commit();

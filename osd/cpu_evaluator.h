@@ -18,7 +18,9 @@ namespace honeycomb::Osd {
 /// batches (far/tables/level_table.h).
 class CpuEvaluator {
  public:
+  /// How many threads an evaluation may take.
   enum class Threads { one, all };
+  /// Which kernels it takes.
   enum class Instructions { plain, vectors };  ///< vectors: single precision only; double is plain in either
   CpuEvaluator(Threads threads, Instructions instructions) : threads_(threads), instructions_(instructions) {}
 

@@ -9,6 +9,7 @@ template <class Real>
 struct View {
   Real* data;  ///< the first value of point 0
   std::int64_t stride;
+  /// The first value of point i.
   Real* point(std::int32_t i) const { return data + i * stride; }
 };
 

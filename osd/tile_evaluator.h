@@ -15,6 +15,7 @@
 
 namespace honeycomb::Osd {
 
+/// What a TileEvaluator computes with.
 struct TileEvaluatorOptions {
   CpuEvaluator::Threads threads = CpuEvaluator::Threads::all;
   CpuEvaluator::Instructions instructions = CpuEvaluator::Instructions::vectors;

@@ -39,6 +39,7 @@ class Pool {
     }
     return Loan(*this, make());
   }
+  /// The same; made by its default constructor where none is free.
   Loan borrow() {
     return borrow([] { return std::make_unique<T>(); });
   }

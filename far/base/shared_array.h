@@ -36,6 +36,7 @@ class SharedArray {
     if (!own_ || own_.use_count() > 2) *this = SharedArray(array_ ? *array_ : Array<T>());
     return *own_;
   }
+  /// Is it this very array, not one with the same values?
   bool sharesWith(const std::shared_ptr<const Array<T>>& values) const { return array_ == values; }
 
   friend bool operator==(const SharedArray& a, const SharedArray& b) {

@@ -18,6 +18,7 @@ namespace honeycomb::Far {
 /// Errors: invalidMesh when an inside vertex has fewer than three faces or nothing is left.
 Result<Conversion> dual(const Topology& topology);
 
+/// Where truncate() cuts edges unless it is told.
 constexpr double kThird = 1.0 / 3;
 
 /// All corners cut off: a vertex near each end of each edge, `ratio` along the edge from that end, so that a face has

@@ -16,6 +16,7 @@ struct ManifoldSplit {
   std::int64_t bowTies = 0;                  ///< vertices in more than one fan without such an edge
   std::int64_t facesLeftOut = 0;             ///< with fewer than three corners, a vertex twice, or one that isn't there
 
+  /// How many vertices there are more than before.
   std::int64_t duplicates(std::int32_t verticesBefore) const { return polygons.vertexCount - verticesBefore; }
 };
 

@@ -12,6 +12,7 @@ namespace honeycomb::Far {
 
 /// The weight a(N) that a corner point keeps on its own corner in an N-gon: larger holds the shape, smaller rounds it.
 struct Tension {
+  /// How a(N) depends on N.
   enum class Rule : std::uint8_t {
     paper,  ///< a(N) = 0.45 + 1.25/N: Akleman and Srinivasan, "Honeycomb Subdivision"
     sqrt3,  ///< the a(N) that makes the subdominant eigenvalue 1/sqrt 3 for N >= 4, so that the regular mesh reproduces
@@ -27,6 +28,7 @@ struct Tension {
   double at(std::int32_t sides) const;
 };
 
+/// What akleman() is free to choose.
 struct AklemanOptions {
   Tension tension;
   double edgeParameter = 0.5;  ///< t in [0, 1]: where along its edge a corner point sits

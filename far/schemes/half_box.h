@@ -33,6 +33,7 @@ enum class HalfBoxBoundary : std::uint8_t {
             ///< its own, clampStep(), makes them
 };
 
+/// What halfBox() is free to choose.
 struct HalfBoxOptions {
   HalfBoxTuning tuning = HalfBoxTuning::none;
   /// b_n: the weight of a vertex on itself beside one extraordinary face of n sides and two hexagons, in [1/6, 1/2];

@@ -39,6 +39,7 @@ enum class VertexLimits : std::uint8_t {
 /// How a scheme keeps edges sharp: the mesh is cut open along them, and refined by a split whose boundary points depend
 /// on the boundary alone, so that the two sides of a cut stay together.
 struct CreaseRule {
+  /// For which creases there is a rule.
   enum class Reach : std::uint8_t {
     none,      ///< the scheme has no rule for creases
     infinite,  ///< only for creases that stay sharp for ever

@@ -14,6 +14,7 @@ struct Weight {
   double weight = 0;
   bool operator==(const Weight&) const = default;
 };
+/// A stencil: its entries in the order in which they are added.
 using Row = std::vector<Weight>;
 
 /// Which points a level has beside its vertices.

@@ -5,6 +5,7 @@
 
 namespace honeycomb::Far {
 
+/// What trisect() is free to choose.
 struct TrisectOptions {
   double ratio = 1.0 / 3;  ///< how far along its edge a point lies from the vertex it is next to, in (0, 1/2)
 };

@@ -12,6 +12,7 @@ namespace honeycomb::Far {
 
 /// a_N: how far the central control vertex of an N-gon moves towards the barycentre of its corners in a step.
 struct CentralPull {
+  /// How a_N depends on N.
   enum class Rule : std::uint8_t {
     paper,    ///< (4 - cos(2 pi/N))/9, as printed
     kobbelt,  ///< (4 - 2 cos(2 pi/N))/9, Kobbelt's sqrt 3 weight, almost surely what is meant: b - a = |lambda_1|^2
@@ -24,6 +25,7 @@ struct CentralPull {
   double at(std::int32_t sides) const;
 };
 
+/// What zhangWang() is free to choose; the letters are the paper's.
 struct ZhangWangOptions {
   CentralPull pull;              ///< a_N
   double spread = 2.0 / 3;       ///< b_N: how far corner points lie from the central control vertex, in (0, 1)

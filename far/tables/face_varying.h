@@ -51,6 +51,7 @@ class FaceVarying {
   static Result<FaceVarying> build(const Refinement& refinement, const FaceVaryingChannel& channel);
 
   std::int32_t levelCount() const { return static_cast<std::int32_t>(levels_.size()) - 1; }
+  /// Level k, 0 .. levelCount().
   const FaceVaryingLevel& level(std::int32_t k) const { return levels_[static_cast<std::size_t>(k)]; }
   const FaceVaryingLevel& last() const { return levels_.back(); }
   /// Has the control mesh a seam?

@@ -71,6 +71,7 @@ struct ProjectedFace {
   std::int32_t firstOutput = 0;
   std::int32_t firstWeight = 0;
 };
+/// Corners whose sum is taken apart before it is added to the others.
 constexpr std::int32_t kProjectionBlock = 256;
 
 /// G rows that share their weights, of one output each: new points of edges and vertices, central control vertices.
@@ -83,10 +84,11 @@ struct DenseRows {
   std::int32_t firstOutput = 0;  ///< outputs are contiguous
   std::int32_t firstWeight = 0;  ///< in the weights: w, width of them
 };
+/// Rows with more entries are loose ones.
 constexpr std::int32_t kWidestDense = 16;
 
 /// Rows with weights or places of their own, in compressed sparse row form:
-///     out[outputs[r]] = (weights[b] in[indices[b]] + weights[b+1] in[indices[b+1]]) + ...   b = offsets[r] ..
+///     out[outputs[r]] = (weights[b] in[indices[b]] + weights[b+1] in[indices[b+1]]) + ...   b from offsets[r] to
 ///     offsets[r+1]-1
 /// `indices` and `weights` are ranges of the level's arrays: entry b is indices[firstIndex + b] and weight[firstWeight
 /// + b].

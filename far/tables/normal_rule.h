@@ -32,6 +32,7 @@ class NormalRule {
   /// Normals have the numbers firstNormal(k) + f of the face f and the level k where it is born; not all numbers are
   /// taken.
   std::int32_t normalCount() const { return firstNormals_.back(); }
+  /// The number of the normal of face 0 of level k.
   std::int32_t firstNormal(std::int32_t k) const { return firstNormals_[static_cast<std::size_t>(k)]; }
   /// Of a face of level L - 1.
   std::int32_t normalOf(std::int32_t face) const { return normals_[static_cast<std::size_t>(face)]; }

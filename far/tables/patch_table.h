@@ -41,6 +41,7 @@ struct Tessellation {
   Polygons polygons;
   std::vector<PatchSample> samples;
 };
+/// Pieces that an edge of a patch can be cut into.
 constexpr std::int32_t kMostPieces = 64;
 
 /// The limit surface of the half-box scheme of P. Barendrecht, M. Sabin, J. Kosinka, "A bivariate C1 subdivision scheme
@@ -59,10 +60,13 @@ class PatchTable {
   std::int32_t patchCount() const { return static_cast<std::int32_t>(vertices_.size()); }
   /// The vertex of a patch, and the patch of a vertex, -1 on a boundary.
   std::int32_t vertex(std::int32_t patch) const { return vertices_[static_cast<std::size_t>(patch)]; }
+  /// The patch of a vertex; -1 on a boundary.
   std::int32_t patchOf(std::int32_t vertex) const { return patches_[static_cast<std::size_t>(vertex)]; }
   /// Half-edges, faces, sides and control points of a patch; all hexagons or not.
   VertexPatch patch(std::int32_t patch) const { return {topology_, vertex(patch)}; }
+  /// The vertices that a patch reads, in the order of VertexPatch::points().
   std::vector<std::int32_t> controlPoints(std::int32_t patch) const { return this->patch(patch).points(); }
+  /// Are its three faces hexagons? Then it is one cubic.
   bool regular(std::int32_t patch) const { return this->patch(patch).regular(); }
   /// The patch across the edge from corner i to corner i+1, for i = 0, 1, 2; -1 on the border of the surface.
   std::array<std::int32_t, 3> neighbours(std::int32_t patch) const;

@@ -12,6 +12,7 @@
 
 namespace honeycomb::Far {
 
+/// What refine() makes besides levels, and of what.
 struct RefineOptions {
   bool centralPoints = false;    ///< the control points are [vertices | one central control vertex a face, in the
                                  ///< caller's order]; false: vertices, and a scheme that wants them takes barycentres
@@ -49,6 +50,7 @@ class Refinement {
 
   /// The number of refinement steps L; levels are 0..L.
   std::int32_t levelCount() const { return static_cast<std::int32_t>(levels_.size()) - 1; }
+  /// Level k, 0 .. levelCount().
   const Level& level(std::int32_t k) const { return levels_[static_cast<std::size_t>(k)]; }
   const Level& last() const { return levels_.back(); }
   /// Limits of the last level; empty unless RefineOptions::limits.
@@ -89,6 +91,7 @@ Result<Refinement> refine(const Topology& control, std::span<const Scheme> perLe
 Result<Refinement> refine(const Topology& control, const Scheme& scheme, std::int32_t levels,
                           const RefineOptions& options = {});
 
+/// The longest chain of steps.
 constexpr std::int32_t kMaxLevels = 20;
 
 /// What a level will have, known before anything is built.

@@ -20,15 +20,20 @@ enum class StencilKind : std::uint8_t {
 
 /// Which rows a stencil table has.
 struct StencilChoice {
+  /// What the rows are of.
   enum class Of : std::uint8_t { all, faces, vertices };
   Of of = Of::all;
   std::vector<std::int32_t> numbers = {};  ///< faces or vertices of the level; see StencilTable::outputs
 
+  /// Every point, vertex or face.
   static StencilChoice all() { return {}; }
+  /// The faces with these numbers, or their vertices: see StencilTable::build().
   static StencilChoice faces(std::vector<std::int32_t> numbers) { return {Of::faces, std::move(numbers)}; }
+  /// The vertices with these numbers.
   static StencilChoice vertices(std::vector<std::int32_t> numbers) { return {Of::vertices, std::move(numbers)}; }
 };
 
+/// What StencilTable::build() is to flatten.
 struct StencilOptions {
   StencilKind kind = StencilKind::points;
   std::int32_t level = 0;  ///< of points: 1..levelCount, 0 for the last; limits are of the last
@@ -80,10 +85,12 @@ struct StencilTable {
   static Result<StencilTable> build(const Refinement& refinement, const StencilOptions& options = {});
 };
 
+/// In double.
 template <>
 inline std::span<const double> StencilTable::weightsAs<double>(StencilWeights which) const {
   return which == StencilWeights::position ? weights : which == StencilWeights::tangent1 ? tangent1 : tangent2;
 }
+/// In float.
 template <>
 inline std::span<const float> StencilTable::weightsAs<float>(StencilWeights which) const {
   return which == StencilWeights::position   ? weightsSingle

@@ -49,6 +49,7 @@ constexpr FacePlaces placesOfFace(TilePlaces places, std::int32_t face, std::int
   return {(face - among) * sides + among, kTileFours};
 }
 
+/// What tiles are to give, and how large they are.
 struct TileOptions {
   std::int32_t level = 0;             ///< the last level to evaluate; 0: the refinement's last
   std::int32_t scratchPoints = 8192;  ///< points a tile keeps at once, about, 16 bytes each in single precision: what
@@ -61,7 +62,9 @@ struct TileOptions {
 /// Points of a tile are numbered from 0 over all of its levels; kept is twice the number, so that sixteen bits tell
 /// 32,768 points apart and a point of four floats stands at 8 bytes times what is kept, which is an address by itself.
 using TilePoint = std::uint16_t;
+/// Points of a tile, of all its levels together.
 constexpr std::int32_t kMostTilePoints = 32768;
+/// What is kept of a number.
 constexpr TilePoint tilePoint(std::int32_t number) {
   return static_cast<TilePoint>(2 * number);
 }
@@ -82,6 +85,7 @@ struct TileStage {
 ///     indices   count x sides (circulant) or count x width (dense) own points of the level before birth
 ///     loose     rows firstRow .. firstRow + count - 1, their entries one after the other from firstIndex
 struct TileStep {
+  /// The batch whose arithmetic it has.
   enum class Kind : std::uint8_t { circulant, dense, loose };
   Kind kind = Kind::circulant;
   CirculantForm form = CirculantForm::direct;  ///< of a circulant, at all stages

@@ -36,6 +36,7 @@ struct Inspection {
   std::vector<std::int32_t> cornerFace;
   std::vector<Defect> defects;
 };
+/// Matches half-edges to twins and looks for every defect. Linear, save a sort within the corners of each vertex.
 Inspection inspect(const Polygons& polygons);
 
 }  // namespace honeycomb::Far

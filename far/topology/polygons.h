@@ -14,7 +14,7 @@ struct Crease {
 /// As in OpenSubdiv, sharpness 10 is infinite.
 constexpr double kSharp = 10;
 
-/// A polygon mesh as a caller has it: face f is the loop of the vertices indices[faceOffsets[f]] ..
+/// A polygon mesh as a caller has it: face f is the loop of the vertices indices[faceOffsets[f]] to
 /// indices[faceOffsets[f+1]-1], counter-clockwise seen from outside.
 struct Polygons {
   std::int32_t vertexCount = 0;
@@ -24,6 +24,7 @@ struct Polygons {
   std::vector<Crease> creases;               ///< edges of the mesh; on a boundary they say nothing
 
   std::int64_t faceCount() const { return static_cast<std::int64_t>(faceOffsets.size()) - 1; }
+  /// Appends a face.
   void addFace(const std::vector<std::int32_t>& loop) {
     indices.insert(indices.end(), loop.begin(), loop.end());
     faceOffsets.push_back(static_cast<std::int64_t>(indices.size()));

@@ -29,6 +29,7 @@ enum class PointKind : std::uint8_t {
   boundaryVertex,    ///< eq16's new point of a boundary vertex; halfEdge: the boundary half-edge leaving it
   besideEdge         ///< point inside a face next to one of its edges; halfEdge: that edge's in the face
 };
+/// A point of the next level by what it is made from.
 struct NewPoint {
   PointKind kind;
   std::int32_t halfEdge;  ///< of the parent level
@@ -56,6 +57,7 @@ struct Census {
   std::int64_t gaps = 0;    ///< faces of kind clampedGap
   bool exact = true;        ///< false: upper bounds
 };
+/// Counts them. Linear in boundary edges.
 Census takeCensus(const Topology& topology);
 
 /// Edges with a face on either side; at most so many where the counts are bounds.

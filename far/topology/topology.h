@@ -57,19 +57,27 @@ class Topology {
   std::span<const std::int32_t> boundary() const { return loops().boundary; }
   std::span<const EdgeTag> boundaryTags() const { return loops().boundaryTags; }
 
+  /// The vertex that half-edge h leaves.
   std::int32_t vert(std::int32_t h) const { return loops().vert[index(h)]; }
+  /// The half-edge the other way; -1 on a boundary.
   std::int32_t twin(std::int32_t h) const { return links().twin[index(h)]; }
+  /// The face to the left of half-edge h.
   std::int32_t face(std::int32_t h) const { return links().face[index(h)]; }
+  /// A half-edge that leaves vertex v; on a boundary the boundary one.
   std::int32_t outgoing(std::int32_t v) const { return links().outgoing[index(v)]; }
+  /// The number of sides of face f.
   std::int32_t sides(std::int32_t f) const { return loops().faceOffsets[index(f) + 1] - loops().faceOffsets[index(f)]; }
+  /// The half-edge after h in its face.
   std::int32_t next(std::int32_t h) const {
     const std::size_t f = index(face(h));
     return h + 1 == loops().faceOffsets[f + 1] ? loops().faceOffsets[f] : h + 1;
   }
+  /// The half-edge before h in its face.
   std::int32_t prev(std::int32_t h) const {
     const std::size_t f = index(face(h));
     return h == loops().faceOffsets[f] ? loops().faceOffsets[f + 1] - 1 : h - 1;
   }
+  /// The vertex that half-edge h goes to.
   std::int32_t dest(std::int32_t h) const { return vert(next(h)); }
   /// Does h stand for its edge: the lower of its two half-edges, or the only one?
   bool leads(std::int32_t h) const { return twin(h) < 0 || h < twin(h); }
@@ -98,6 +106,7 @@ class Topology {
    private:
     std::int32_t first_, end_;
   };
+  /// All half-edges of face f.
   FaceHalfEdges halfEdgesOf(std::int32_t f) const {
     return {loops().faceOffsets[index(f)], loops().faceOffsets[index(f) + 1]};
   }
@@ -124,11 +133,14 @@ class Topology {
     const Topology& topology_;
     std::int32_t first_;
   };
+  /// All half-edges that leave vertex v.
   OutgoingHalfEdges halfEdgesFrom(std::int32_t v) const { return {*this, outgoing(v)}; }
 
+  /// Where vertex v is on the boundary, if it is.
   VertexTag vertexTag(std::int32_t v) const {
     return loops().vertexTags.empty() ? VertexTag::interior : loops().vertexTags[index(v)];
   }
+  /// Has vertex v a boundary edge?
   bool onBoundary(std::int32_t v) const { return vertexTag(v) != VertexTag::interior; }
   /// Number of edges at v: walks round it.
   std::int32_t valence(std::int32_t v) const;
@@ -150,6 +162,7 @@ class Topology {
 
   /// The arrays, links and all, to make another topology of.
   TopologyArrays arrays() const&;
+  /// The same, taken away where no copy shares them.
   TopologyArrays arrays() &&;
 
   /// How the links are found, where the split leaves them out.

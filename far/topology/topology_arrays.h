@@ -18,10 +18,13 @@ enum class FaceKind : std::uint8_t {
   clampedCorner,  ///< loop L, J, R, q_1 .. q_m: the curve has a corner at J
   clampedGap      ///< loop R, L of the next face along the boundary, q_1 of this face and q_m of the next
 };
+/// How many kinds there are.
 constexpr std::size_t kFaceKinds = 6;
+/// Has it been cut by the brick rule?
 constexpr bool isCutByBrick(FaceKind kind) {
   return kind == FaceKind::half || kind == FaceKind::corner;
 }
+/// Is it one of a clamped boundary?
 constexpr bool isClamped(FaceKind kind) {
   return kind != FaceKind::full && !isCutByBrick(kind);
 }
@@ -67,6 +70,7 @@ struct HalfEdgeLinks {
 };
 
 struct TopologyArrays;
+/// Finds the links of a level from its loops; linear.
 using LinkRule = HalfEdgeLinks (*)(const TopologyArrays& loops);
 
 /// The arrays of one level, as a split hands them over; Topology only reads them afterwards.

@@ -29,6 +29,7 @@ class TopologyState {
 
   /// The arrays with links, copied and taken away.
   TopologyArrays copy() const;
+  /// The same, taken away from this one.
   TopologyArrays take();
 
  private:

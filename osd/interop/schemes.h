@@ -13,6 +13,7 @@ enum class BoundaryInterpolation : std::uint8_t {
                    ///< Corners", the default of USD
 };
 
+/// The options of OpenSubdiv's schemes that are passed on.
 struct OpenSubdivOptions {
   BoundaryInterpolation boundary = BoundaryInterpolation::edges;
 };

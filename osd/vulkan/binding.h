@@ -48,6 +48,7 @@ class VulkanBinding {
                                       const std::shared_ptr<VulkanPipelines>& pipelines, const VulkanTable& table,
                                       const VulkanTargets& targets, const VulkanBindingOptions& options = {});
 
+  /// Records the dispatches: see VulkanEvaluator::record().
   void record(VkCommandBuffer commands) const;
   /// Looks for changed kernels, where VulkanEvaluatorOptions::kernelFolder names some. Another number than before: what
   /// was recorded has old kernels, record() takes the new. Errors: invalidFile.
@@ -57,6 +58,7 @@ class VulkanBinding {
   Result<std::vector<LevelTime>> levelTimes() const;
   /// Bytes of device memory for levels in between.
   std::uint64_t scratchBytes() const;
+  /// Do both have the same scratch memory?
   bool sharesScratch(const VulkanBinding& other) const { return scratch_ == other.scratch_; }
 
  private:

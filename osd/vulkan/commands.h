@@ -22,6 +22,7 @@ void memoryBarrier(const VulkanCore& core, VkCommandBuffer commands, const Memor
 /// Waits for what is still running when it is destroyed.
 class CommandRunner {
  public:
+  /// Errors: outOfMemory, deviceLost.
   static Result<CommandRunner> create(const std::shared_ptr<const VulkanCore>& core);
   CommandRunner() = default;
   ~CommandRunner();

@@ -13,6 +13,7 @@ namespace honeycomb::Osd {
 class VulkanInstance;
 class ValidationLog;
 
+/// What a VulkanContext is made of.
 struct VulkanContextOptions {
   std::string device = "auto";  ///< see chooseDevice
   bool validation = false;      ///< run under the validation layer with synchronization checks

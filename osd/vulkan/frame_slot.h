@@ -37,6 +37,7 @@ class FrameSlot {
   /// Errors: invalidFile.
   Result<void> refresh();
 
+  /// The frame's own commands, recorded as it was made.
   CommandRunner& commands() { return commands_; }
   const VulkanTable& table() const { return table_; }
   const VulkanBinding& binding() const { return *binding_; }

@@ -9,6 +9,7 @@
 
 namespace honeycomb::Osd {
 
+/// How many frames there are, and of what.
 struct VulkanFramesOptions {
   std::uint32_t framesInFlight = 3;  ///< 1 to kMostFramesInFlight; each has buffers of its own, scratch is shared
   FrameSlotOptions frame{};

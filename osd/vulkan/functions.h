@@ -75,11 +75,13 @@ class FunctionLoader {
   /// Errors: invalidOption for null handles, noDevice where the machine's Vulkan loader is needed and isn't installed.
   static Result<FunctionLoader> create(const VulkanDevice& device);
 
+  /// Looks up a function of the instance.
   template <class Function>
   void ofInstance(const char* name, Function& function) {
     function = reinterpret_cast<Function>(getInstance_(instance_, name));
     if (function == nullptr) missed(name);
   }
+  /// Looks up a function of the device.
   template <class Function>
   void ofDevice(const char* name, Function& function) {
     function = reinterpret_cast<Function>(getDevice_(device_, name));

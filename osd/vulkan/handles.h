@@ -10,6 +10,7 @@ namespace honeycomb::Osd {
 template <class Handle>
 class DeviceHandle {
  public:
+  /// The function of Vulkan that destroys it.
   using Destroy = void(VKAPI_PTR*)(VkDevice, Handle, const VkAllocationCallbacks*);
 
   DeviceHandle() = default;

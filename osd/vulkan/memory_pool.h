@@ -30,6 +30,7 @@ struct MemoryUsage {
 
 /// One allocation of the device, and the parts of it that are taken.
 struct MemoryBlock {
+  /// A part that is taken, in bytes of the block.
   struct Part {
     std::uint64_t begin = 0, end = 0;
   };
@@ -73,7 +74,9 @@ class MemorySlice {
 /// Safe from several threads. Of buffers only, so that images never are their neighbours (bufferImageGranularity).
 class MemoryPool {
  public:
+  /// Bytes of the first block of a kind; the next is twice as large as the largest there is.
   static constexpr std::uint64_t kLeastBlock = std::uint64_t{4} << 20U;
+  /// Bytes of the largest, unless a single buffer needs more.
   static constexpr std::uint64_t kLargestBlock = std::uint64_t{64} << 20U;
 
   /// Errors: outOfMemory past the device's budget or the caller's, see roomOf.

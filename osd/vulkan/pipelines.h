@@ -24,10 +24,12 @@ std::span<const std::uint32_t> kernelCode(Kernel kernel);
 /// one pipeline layout serve all kernels. Safe from several threads.
 class VulkanPipelines {
  public:
+  /// Errors: outOfMemory, deviceLost; invalidFile for a folder of kernels that lacks some.
   static Result<std::unique_ptr<VulkanPipelines>> create(std::shared_ptr<const VulkanCore> core);
 
   VkDescriptorSetLayout setLayout() const { return setLayout_.get(); }
   VkPipelineLayout layout() const { return layout_.get(); }
+  /// Compiles it where it is new. Errors: outOfMemory, deviceLost.
   Result<VkPipeline> get(Kernel kernel, const Specialization& specialization);
 
   /// Compiles the kernels of VulkanEvaluatorOptions::kernelFolder that changed; every change gives another number. What

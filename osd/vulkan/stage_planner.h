@@ -77,6 +77,7 @@ class StagePlanner {
   const PointLayout& target() const { return target_; }
   std::uint64_t sourceBytes() const { return bytesOf(source_); }
   std::uint64_t targetBytes() const { return bytesOf(target_); }
+  /// Bytes of a buffer with this layout.
   static std::uint64_t bytesOf(const PointLayout& layout) {
     return static_cast<std::uint64_t>(layout.desc.extent(layout.count)) * sizeof(float);
   }

@@ -70,6 +70,7 @@ struct TableStage {
   DeviceHandle<VkBufferView> texels;  ///< of tiles: the buffer's
 };
 
+/// A dispatch with the pipeline that it needs; stages follow each other behind barriers.
 struct TableDispatch {
   Dispatch dispatch;
   VkPipeline pipeline = VK_NULL_HANDLE;

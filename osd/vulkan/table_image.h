@@ -21,7 +21,9 @@ class TableImage {
  public:
   explicit TableImage(std::uint64_t alignment) : alignment_(alignment) {}
 
+  /// Values of the caller, which stay where they are.
   Section add(std::span<const std::int32_t> values) { return add(std::as_bytes(values)); }
+  /// The same.
   Section add(std::span<const float> values) { return add(std::as_bytes(values)); }
   /// Keeps the values itself.
   Section add(std::vector<std::uint32_t> values);
