@@ -84,7 +84,7 @@ class Options(unittest.TestCase):
 
     def command_of(self, words):
         """What --help is for a command line; none for other programs."""
-        named = re.search(r"(?:^|[ /])(?:\$bin|honeycomb)(?: (\w+))?(?![\w/_:-])|\b(bench/report\.py|bench/counts)\b", words)
+        named = re.search(r"(?:^|\s)(?:\$bin|honeycomb)(?: (\w+))?(?![\w/_:-])|\b(bench/report\.py|bench/counts)\b", words)
         if not named:
             return None
         return named.group(2) or ("honeycomb " + named.group(1) if named.group(1) in self.commands else "honeycomb")
