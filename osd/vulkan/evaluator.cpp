@@ -57,14 +57,7 @@ Result<VulkanTable> VulkanEvaluator::upload(const Far::Refinement& refinement, c
 }
 
 Result<VulkanTable> VulkanEvaluator::upload(Far::LevelTables levels, const VulkanTableOptions& options) {
-  return guarded([&]() -> Result<VulkanTable> {
-    if (options.fastNormals()) {
-      return fail(
-          ErrorCode::invalidOption,
-          "fast normals level after level are found from a refinement: upload that, or tiles with fast normals");
-    }
-    return uploadRange(levels, nullptr, options);
-  });
+  return guarded([&]() -> Result<VulkanTable> { return uploadRange(levels, nullptr, options); });
 }
 
 Result<VulkanTable> VulkanEvaluator::upload(std::span<const Far::LevelTable* const> levels,

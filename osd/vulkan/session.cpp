@@ -9,9 +9,9 @@
 
 namespace honeycomb::Osd {
 
-Result<VulkanSession> VulkanSession::create(VulkanEvaluator& evaluator, Far::LevelTables levels,
+Result<VulkanSession> VulkanSession::create(VulkanEvaluator& evaluator, const Far::Refinement& refinement,
                                             const VulkanTableOptions& options) {
-  const auto table = evaluator.upload(levels, options);
+  const auto table = evaluator.upload(refinement, options);
   if (!table) return tl::unexpected(table.error());
   return create(std::as_const(evaluator), *table);
 }

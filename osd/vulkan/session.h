@@ -14,7 +14,7 @@ namespace honeycomb::Osd {
 class VulkanSession {
  public:
   /// Errors: as of VulkanEvaluator::upload and bind, and deviceLost.
-  static Result<VulkanSession> create(VulkanEvaluator& evaluator, Far::LevelTables levels,
+  static Result<VulkanSession> create(VulkanEvaluator& evaluator, const Far::Refinement& refinement,
                                       const VulkanTableOptions& options = {});
   /// Of `options` the binding's timing is heeded.
   static Result<VulkanSession> create(const VulkanEvaluator& evaluator, const VulkanTable& table,
