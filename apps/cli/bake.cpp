@@ -6,6 +6,7 @@
 #include "apps/cli/bake_formats.h"
 #include "apps/cli/bake_frames.h"
 #include "apps/cli/bake_output.h"
+#include "apps/cli/bake_tables.h"
 #include "apps/cli/catching.h"
 #include "apps/cli/central_points.h"
 #include "apps/cli/commands.h"
@@ -26,7 +27,8 @@ struct BakeCommand {
   SurfaceOptions surface;
   AnimationOptions animation;
   std::string output;
-  std::string mesh;  ///< refined mesh to write beside the frames; empty: none
+  std::string mesh;   ///< refined mesh to write beside the frames; empty: none
+  std::string table;  ///< table file to go by; empty: tables are built
   bool restart = false;
 };
 
@@ -36,6 +38,7 @@ Result<void> checkFiles(const BakeCommand& command) {
   if (!command.animation.cache.empty()) taken.emplace_back(command.animation.cache);
   if (command.surface.scheme.given(kCentralFileOption))
     taken.emplace_back(command.surface.scheme.text(kCentralFileOption));
+  if (!command.table.empty()) taken.emplace_back(command.table);
   if (const auto writable = checkOutput(command.output, taken); !writable) return writable;
   if (command.mesh.empty()) return {};
   if (const auto known = meshOutput(command.mesh); !known) return tl::unexpected(known.error());
@@ -49,14 +52,14 @@ struct Bake {
   SurfacePlan plan;
   Animation animation;
   CentralPoints central;
-  Far::Refinement refinement;
+  BakeTables tables;
   FrameEvaluators evaluators;
   std::vector<float> firstPoints;
   Primvars<float> primvars;
   BakedMesh mesh;
   double buildMs = 0;
 
-  BakeFrames frames() const { return {animation, plan.mesh.input, central, refinement, evaluators}; }
+  BakeFrames frames() const { return {animation, plan.mesh.input, central, evaluators}; }
 };
 
 /// The first frame with its connectivity and, where a file has room for them, its colours and texture coordinates.
@@ -64,23 +67,49 @@ Result<void> setMesh(Bake& bake) {
   Result<std::vector<float>> points = bakeFirstFrame(bake.frames());
   if (!points) return tl::unexpected(points.error());
   bake.firstPoints = std::move(*points);
-  const Far::Topology& topology = bake.refinement.last().topology;
+  const Io::TableMesh& mesh = bake.tables.mesh();
   bake.mesh = bakedTimes(bake.animation.frames->info(), bake.animation.range.begin, bake.animation.range.count(),
-                         topology.vertexCount());
-  bake.mesh.content = {bake.firstPoints, {}, topology.faceOffsets(), topology.vert()};
-  if (bake.command.mesh.empty() && !storesMesh(bake.command.output)) return {};
+                         mesh.vertexCount);
+  bake.mesh.content = {bake.firstPoints, {}, mesh.faceOffsets, mesh.faceVertices};
+  const Far::Refinement* refinement = bake.tables.refinement();
+  if (refinement == nullptr || (bake.command.mesh.empty() && !storesMesh(bake.command.output))) return {};
   const MeshInput& input = bake.plan.mesh.input;
-  auto primvars = refinePrimvars<float>(input, bake.refinement, bake.central.given, *bake.evaluators.each.front());
+  auto primvars = refinePrimvars<float>(input, *refinement, bake.central.given, *bake.evaluators.each.front());
   if (!primvars) return tl::unexpected(inFile(input.file, primvars.error()));
   bake.primvars = std::move(*primvars);
   bake.primvars.addTo(bake.mesh.content);
   return {};
 }
 
+/// A table file has no texture coordinates or colours of the last level.
+Result<void> checkTableUse(const BakeCommand& command, const MeshInput& input) {
+  const bool stored = !command.mesh.empty() || storesMesh(command.output);
+  if (!stored || (input.mesh.texcoords.empty() && input.mesh.colours.empty())) return {};
+  return fail(
+      ErrorCode::invalidOption,
+      fmt::format("--table: {} has colours or texture coordinates, which a table file can't refine; bake to .pc2 "
+                  "or .mdd without --mesh, or leave --table out",
+                  command.surface.input));
+}
+
+/// The input as far as a table needs it: the table has the scheme.
+Result<SurfacePlan> planFor(const BakeCommand& command) {
+  if (command.table.empty()) return planSurface(command.surface, sizeof(float));
+  Result<SurfacePlan> plan = planByTable(command.surface);
+  if (!plan) return plan;
+  if (const auto usable = checkTableUse(command, plan->mesh.input); !usable) return tl::unexpected(usable.error());
+  return plan;
+}
+
+Result<BakeTables> tablesFor(const BakeCommand& command, const SurfacePlan& plan, int atOnce, bool centralPoints) {
+  if (!command.table.empty()) return BakeTables::open(command.table, plan.mesh.input);
+  return BakeTables::build(plan, {atOnce, sizeof(float), false, centralPoints});
+}
+
 /// Frames that can't be written in any order are refined one at a time.
 Result<std::unique_ptr<Bake>> prepare(const BakeCommand& command, const Session& session) {
   if (const auto checked = checkFiles(command); !checked) return tl::unexpected(checked.error());
-  Result<SurfacePlan> plan = planSurface(command.surface, sizeof(float));
+  Result<SurfacePlan> plan = planFor(command);
   if (!plan) return tl::unexpected(plan.error());
   printNotes(session, plan->mesh.input);
   Result<Animation> animation = openAnimation(command.animation, plan->mesh.input);
@@ -91,11 +120,11 @@ Result<std::unique_ptr<Bake>> prepare(const BakeCommand& command, const Session&
 
   Stopwatch stopwatch;
   const int atOnce = anyOrder(command.output) ? std::min(plan->backend->framesAtOnce(), baked) : 1;
-  Result<Far::Refinement> refinement = buildTables(*plan, {atOnce, sizeof(float), false, central->given});
-  if (!refinement) return tl::unexpected(refinement.error());
+  Result<BakeTables> tables = tablesFor(command, *plan, atOnce, central->given);
+  if (!tables) return tl::unexpected(tables.error());
   std::unique_ptr<Bake> bake(new Bake{
-      command, std::move(*plan), std::move(*animation), std::move(*central), std::move(*refinement), {}, {}, {}, {}});
-  auto evaluators = bake->plan.backend->frameEvaluators(bake->refinement, baked, atOnce);
+      command, std::move(*plan), std::move(*animation), std::move(*central), std::move(*tables), {}, {}, {}, {}});
+  auto evaluators = bake->plan.backend->frameEvaluators(bake->tables.view(), baked, atOnce);
   if (!evaluators) return tl::unexpected(evaluators.error());
   bake->evaluators = std::move(*evaluators);
   bake->buildMs = stopwatch.lap();
@@ -170,31 +199,31 @@ Result<void> produce(const Bake& bake, BakeOutput& output, Ranks& ranks, const S
 
 Result<void> printSummary(const Bake& bake, const BakeOutput& output, const Ranks& ranks, const Session& session,
                           double bakeMs) {
-  const Far::Topology& refined = bake.refinement.last().topology;
+  const BakeTables& tables = bake.tables;
   const BakeCommand& command = bake.command;
-  const int levels = bake.plan.mesh.chain.levels();
   const std::int32_t frames = bake.animation.range.count();
   const auto written = static_cast<std::int32_t>(output.missing().size());
   if (!session.json) {
     printNote(session, fmt::format("{}: {} of {} vertices at level {}", command.output, counted(frames, "frame"),
-                                   grouped(refined.vertexCount()), levels));
+                                   grouped(tables.mesh().vertexCount), tables.levels()));
     return {};
   }
   const nlohmann::ordered_json json{{"input", command.surface.input},
                                     {"cache", bake.animation.file},
                                     {"output", command.output},
-                                    {"scheme", command.surface.scheme.scheme},
-                                    {"steps", stepNames(bake.plan.mesh.chain)},
-                                    {"levels", levels},
+                                    {"scheme", command.table.empty() ? command.surface.scheme.scheme : std::string()},
+                                    {"table", command.table},
+                                    {"steps", tables.steps()},
+                                    {"levels", tables.levels()},
                                     {"backend", bake.plan.backend->name()},
                                     {"ranks", ranks.size()},
                                     {"dropped_vertices", bake.plan.mesh.input.dropped()},
                                     {"frames", frames},
                                     {"frames_resumed", frames - written},
                                     {"frames_at_once", bake.frames().atOnce()},
-                                    {"vertices", refined.vertexCount()},
-                                    {"faces", refined.faceCount()},
-                                    {"table_bytes", bake.refinement.byteCount()},
+                                    {"vertices", tables.mesh().vertexCount},
+                                    {"faces", tables.faceCount()},
+                                    {"table_bytes", tables.byteCount()},
                                     {"tile_bytes", bake.evaluators.tileBytes},
                                     {"build_ms", bake.buildMs},
                                     {"bake_ms", bakeMs},
@@ -252,6 +281,8 @@ void addBake(CLI::App& app, Command& command) {
       ->required();
   subcommand->add_option("--mesh", options->mesh,
                          "Also write the refined mesh of the first frame baked (.obj, .ply, .glb)");
+  subcommand->add_option("--table", options->table,
+                         "Table file (.hct) to go by, made for IN; it has the scheme, its options and the levels");
   subcommand->add_flag("--restart", options->restart, "Bake all frames, also those that an earlier run has left");
   addAnimationOptions(*subcommand, options->animation, options->surface.read);
   addSurfaceOptions(*subcommand, options->surface);

@@ -13,7 +13,6 @@
 #include "apps/cli/ranks.h"
 #include "apps/cli/surface_evaluator.h"
 #include "far/base/result.h"
-#include "far/tables/refinement.h"
 #include "io/frame_writer.h"
 
 namespace honeycomb::Cli {
@@ -23,7 +22,6 @@ struct BakeFrames {
   const Animation& animation;
   const MeshInput& input;
   const CentralPoints& central;
-  const Far::Refinement& refinement;
   const FrameEvaluators& evaluators;
   /// Frames in memory.
   int atOnce() const {

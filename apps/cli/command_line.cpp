@@ -37,12 +37,12 @@ int finish(const Result<void>& result) {
 
 /// CLI11 reads an empty text as a number that isn't given, so a script's unset variable would pass unseen.
 void refuseEmptyNumbers(const CLI::App& app) {
-  for (const CLI::App* subcommand : app.get_subcommands())
-    for (const CLI::Option* option : subcommand->get_options()) {
-      const std::vector<std::string>& texts = option->results();
-      if (option->get_type_name() != "TEXT" && std::find(texts.begin(), texts.end(), "") != texts.end())
-        throw CLI::ConversionError("''", option->get_name());
-    }
+  for (const CLI::Option* option : app.get_options()) {
+    const std::vector<std::string>& texts = option->results();
+    if (option->get_type_name() != "TEXT" && std::find(texts.begin(), texts.end(), "") != texts.end())
+      throw CLI::ConversionError("''", option->get_name());
+  }
+  for (const CLI::App* subcommand : app.get_subcommands()) refuseEmptyNumbers(*subcommand);
 }
 
 int parseFailure(const CLI::App& app, const CLI::ParseError& failure) {

@@ -7,7 +7,8 @@ namespace honeycomb::Cli {
 
 std::span<const CommandEntry> commands() {
   static constexpr std::array kCommands{CommandEntry{addRefine}, CommandEntry{addBake},    CommandEntry{addPlay},
-                                        CommandEntry{addInfo},   CommandEntry{addConvert}, CommandEntry{addBench}};
+                                        CommandEntry{addInfo},   CommandEntry{addConvert}, CommandEntry{addTable},
+                                        CommandEntry{addBench}};
   return kCommands;
 }
 

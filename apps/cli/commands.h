@@ -25,6 +25,7 @@ void addInfo(CLI::App& app, Command& command);
 void addConvert(CLI::App& app, Command& command);
 void addBench(CLI::App& app, Command& command);
 void addPlay(CLI::App& app, Command& command);
+void addTable(CLI::App& app, Command& command);
 
 /// The subcommands, in the order of the help text.
 struct CommandEntry {

@@ -19,8 +19,8 @@ constexpr Osd::BufferDescriptor kPacked{};
 
 class CpuSurfaceEvaluator : public SurfaceEvaluator {
  public:
-  CpuSurfaceEvaluator(const Far::Refinement& refinement, Normals normals, Osd::CpuEvaluator evaluator)
-      : refinement_(refinement), normals_(normals), evaluator_(std::move(evaluator)) {}
+  CpuSurfaceEvaluator(const SurfaceTables& tables, Normals normals, Osd::CpuEvaluator evaluator)
+      : levels_(tables.levels), vertexCount_(tables.vertexCount), normals_(normals), evaluator_(std::move(evaluator)) {}
 
   Result<void> evaluate(std::span<const float> control, Surface<float>& surface) override {
     return evaluateAs<float>(control, surface);
@@ -32,19 +32,20 @@ class CpuSurfaceEvaluator : public SurfaceEvaluator {
  private:
   template <class Real>
   Result<void> evaluateAs(std::span<const Real> control, Surface<Real>& surface) {
-    surface.vertexCount = refinement_.last().topology.vertexCount();
-    surface.points.resize(3 * at(refinement_.last().table.targetCount));
+    surface.vertexCount = vertexCount_;
+    surface.points.resize(3 * at(levels_.pointCount(levels_.levelCount())));
     const Osd::PointsOut<Real> points{surface.points, kPacked};
     const Result<void> refined =
-        evaluator_.evaluate<Real>(refinement_, refinement_.levelCount(), Osd::Points<Real>{control, kPacked}, points);
+        evaluator_.evaluate<Real>(levels_, levels_.levelCount(), Osd::Points<Real>{control, kPacked}, points);
     if (!refined || normals_ == Normals::none) return refined;
     surface.normals.resize(3 * at(surface.vertexCount));
-    return evaluator_.vertexLimits<Real>(refinement_.limits(), Osd::Points<Real>{surface.points, kPacked},
+    return evaluator_.vertexLimits<Real>(levels_.limits(), Osd::Points<Real>{surface.points, kPacked},
                                          Osd::PointsOut<Real>{{}, kPacked},
                                          Osd::PointsOut<Real>{surface.normals, kPacked});
   }
 
-  const Far::Refinement& refinement_;
+  Far::LevelTables levels_;
+  std::int32_t vertexCount_;
   Normals normals_;
   Osd::CpuEvaluator evaluator_;
 };
@@ -83,9 +84,12 @@ class FastNormalEvaluator : public SurfaceEvaluator {
 /// A frame after another by tiles, which are built once and shared.
 class TileSurfaceEvaluator : public SurfaceEvaluator {
  public:
-  TileSurfaceEvaluator(const Far::Refinement& refinement, std::shared_ptr<const Far::TileTable> tiles,
+  TileSurfaceEvaluator(const SurfaceTables& tables, std::shared_ptr<const Far::TileTable> tiles,
                        Osd::CpuEvaluator::Threads threads)
-      : refinement_(refinement), tiles_(std::move(tiles)), evaluator_({.threads = threads}) {}
+      : levels_(tables.levels),
+        vertexCount_(tables.vertexCount),
+        tiles_(std::move(tiles)),
+        evaluator_({.threads = threads}) {}
 
   Result<void> evaluate(std::span<const float> control, Surface<float>& surface) override {
     return evaluateAs<float>(control, surface);
@@ -97,13 +101,14 @@ class TileSurfaceEvaluator : public SurfaceEvaluator {
  private:
   template <class Real>
   Result<void> evaluateAs(std::span<const Real> control, Surface<Real>& surface) {
-    surface.vertexCount = refinement_.last().topology.vertexCount();
-    surface.points.resize(3 * at(refinement_.last().pointCount()));
-    return evaluator_.evaluate<Real>(refinement_, *tiles_, tiles_->lastLevel, Osd::Points<Real>{control, kPacked},
+    surface.vertexCount = vertexCount_;
+    surface.points.resize(3 * at(levels_.pointCount(levels_.levelCount())));
+    return evaluator_.evaluate<Real>(levels_, *tiles_, tiles_->lastLevel, Osd::Points<Real>{control, kPacked},
                                      Osd::PointsOut<Real>{surface.points, kPacked});
   }
 
-  const Far::Refinement& refinement_;
+  Far::LevelTables levels_;
+  std::int32_t vertexCount_;
   std::shared_ptr<const Far::TileTable> tiles_;
   Osd::TileEvaluator evaluator_;
 };
@@ -124,26 +129,36 @@ class CpuBackend : public Backend {
   }
   int framesAtOnce() const override { return threads_ == Threads::all ? Parallel::threadCount() : 1; }
   // A frame a task: threads that work on frames of their own wait for nobody.
-  Result<FrameEvaluators> frameEvaluators(const Far::Refinement& refinement, std::int32_t frames, int atOnce) override {
+  Result<FrameEvaluators> frameEvaluators(const SurfaceTables& tables, std::int32_t frames, int atOnce) override {
     const Threads threads = atOnce == 1 ? threads_ : Threads::one;
+    const auto tiles = tilesFor(tables, frames, atOnce);
+    if (!tiles) return tl::unexpected(tiles.error());
     FrameEvaluators evaluators;
-    if (instructions_ == Instructions::vectors && tilesPay(refinement, frames, atOnce)) {
-      Result<Far::TileTable> built =
-          Far::buildTileTable(refinement, {.scratchPoints = Osd::tilePoints(), .places = Far::TilePlaces::fours});
-      if (!built) return tl::unexpected(built.error());
-      const auto tiles = std::make_shared<const Far::TileTable>(std::move(*built));
-      evaluators.tileBytes = tiles->byteCount();
-      for (int i = 0; i < atOnce; ++i)
-        evaluators.each.push_back(std::make_unique<TileSurfaceEvaluator>(refinement, tiles, threads));
-      return evaluators;
+    if (*tiles != nullptr) evaluators.tileBytes = (*tiles)->byteCount();
+    for (int i = 0; i < atOnce; ++i) {
+      if (*tiles != nullptr) {
+        evaluators.each.push_back(std::make_unique<TileSurfaceEvaluator>(tables, *tiles, threads));
+      } else {
+        evaluators.each.push_back(
+            std::make_unique<CpuSurfaceEvaluator>(tables, Normals::none, Osd::CpuEvaluator(threads, instructions_)));
+      }
     }
-    for (int i = 0; i < atOnce; ++i)
-      evaluators.each.push_back(
-          std::make_unique<CpuSurfaceEvaluator>(refinement, Normals::none, Osd::CpuEvaluator(threads, instructions_)));
     return evaluators;
   }
 
  private:
+  /// Those that are there, or built where they pay; null: none.
+  Result<std::shared_ptr<const Far::TileTable>> tilesFor(const SurfaceTables& tables, std::int32_t frames,
+                                                         int atOnce) const {
+    if (instructions_ != Instructions::vectors) return nullptr;
+    if (tables.tiles != nullptr) return std::shared_ptr<const Far::TileTable>(std::shared_ptr<void>(), tables.tiles);
+    if (tables.refinement == nullptr || !tilesPay(tables.levels, frames, atOnce)) return nullptr;
+    Result<Far::TileTable> built =
+        Far::buildTileTable(*tables.refinement, {.scratchPoints = Osd::tilePoints(), .places = Far::TilePlaces::fours});
+    if (!built) return tl::unexpected(built.error());
+    return std::make_shared<const Far::TileTable>(std::move(*built));
+  }
+
   std::string_view name_;
   Threads threads_;
   Instructions instructions_;

@@ -5,10 +5,10 @@
 namespace honeycomb::Cli {
 namespace {
 
-bool madeOfFaces(const Far::Refinement& refinement) {
+bool madeOfFaces(const Far::LevelTables& levels) {
   std::int64_t all = 0, ofFaces = 0;
-  for (std::int32_t k = 1; k <= refinement.levelCount(); ++k) {
-    const Far::LevelTable& table = refinement.level(k).table;
+  for (std::int32_t k = 1; k <= levels.levelCount(); ++k) {
+    const Far::LevelTable& table = levels.table(k);
     all += table.targetCount;
     for (const Far::CirculantBatch& batch : table.circulants) ofFaces += std::int64_t{batch.sides} * batch.faceCount;
   }
@@ -17,9 +17,9 @@ bool madeOfFaces(const Far::Refinement& refinement) {
 
 }  // namespace
 
-bool tilesPay(const Far::Refinement& refinement, std::int32_t frames, int atOnce) {
-  const std::int64_t points = refinement.last().pointCount();
-  if (frames < kTileFrames || points < kTilePoints || !madeOfFaces(refinement)) return false;
+bool tilesPay(const Far::LevelTables& levels, std::int32_t frames, int atOnce) {
+  const std::int64_t points = levels.pointCount(levels.levelCount());
+  if (frames < kTileFrames || points < kTilePoints || !madeOfFaces(levels)) return false;
   const std::int64_t pointBytes = kTileBuildBytes + std::int64_t{atOnce} * 3 * std::int64_t{sizeof(float)};
   return points * pointBytes <= availableMemory();
 }

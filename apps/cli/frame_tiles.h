@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "far/tables/refinement.h"
+#include "far/tables/level_tables.h"
 
 namespace honeycomb::Cli {
 
@@ -25,6 +25,6 @@ constexpr std::int64_t kTileBuildBytes = 32;
 
 /// Is a bake of `frames` frames, `atOnce` of them in memory, faster by tiles than level after level, their building
 /// included, and is there memory to build them?
-bool tilesPay(const Far::Refinement& refinement, std::int32_t frames, int atOnce);
+bool tilesPay(const Far::LevelTables& levels, std::int32_t frames, int atOnce);
 
 }  // namespace honeycomb::Cli

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "far/base/result.h"
-#include "far/tables/refinement.h"
+#include "far/tables/level_tables.h"
+#include "far/tables/tile_table.h"
 
 namespace honeycomb::Cli {
 
@@ -53,6 +54,19 @@ struct FrameEvaluators {
   std::int64_t tileBytes = 0;                           ///< of the tiles that they share; 0: they go level after level
 };
 
+/// Tables to bake by: of a refinement, which tiles are built from where they pay, or of a table file with those it has.
+struct SurfaceTables {
+  Far::LevelTables levels;
+  std::int32_t vertexCount = 0;                 ///< of the last level
+  const Far::Refinement* refinement = nullptr;  ///< null: tables of a file
+  const Far::TileTable* tiles = nullptr;        ///< of the last level, in its order; null: none are there
+
+  SurfaceTables(const Far::Refinement& built)
+      : levels(built), vertexCount(built.last().topology.vertexCount()), refinement(&built) {}
+  SurfaceTables(Far::LevelTables of, std::int32_t vertices, const Far::TileTable* ready)
+      : levels(of), vertexCount(vertices), tiles(ready) {}
+};
+
 /// An opened backend: whatever it needs from the machine is there.
 class Backend {
  public:
@@ -63,9 +77,8 @@ class Backend {
   /// How many frames of a bake are refined at the same time.
   virtual int framesAtOnce() const = 0;
   /// Evaluators for a bake of `frames` frames, `atOnce` (1 .. framesAtOnce()) of them refined at the same time: a lone
-  /// one has the machine to itself. The refinement outlives them.
-  virtual Result<FrameEvaluators> frameEvaluators(const Far::Refinement& refinement, std::int32_t frames,
-                                                  int atOnce) = 0;
+  /// one has the machine to itself. What the tables are views of outlives them.
+  virtual Result<FrameEvaluators> frameEvaluators(const SurfaceTables& tables, std::int32_t frames, int atOnce) = 0;
 };
 
 /// The backends, `auto` among them. A new one is one line of the table in backends.cpp.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -21,11 +22,15 @@ constexpr std::array kOrders{OrderName{"input", Far::FaceOrder::input}, OrderNam
 
 }  // namespace
 
-void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options) {
+void addLevelsOption(CLI::App& subcommand, std::optional<std::int32_t>& levels) {
   subcommand
-      .add_option("--levels", options.levels,
+      .add_option("--levels", levels,
                   "Refinement steps, 1 to " + std::to_string(Far::kMaxLevels) + "; of a chain, their sum")
       ->default_str(std::to_string(LevelChoice{}.usual));
+}
+
+void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options) {
+  addLevelsOption(subcommand, options.levels);
   addSchemeFlags(subcommand, options.scheme);
   subcommand.add_option("--backend", options.backend, "What refines: " + names(backends()) + " (auto: tbb)")
       ->capture_default_str();
@@ -56,6 +61,23 @@ Result<SurfacePlan> planSurface(const SurfaceOptions& options, int bytesPerNumbe
   Result<std::unique_ptr<Backend>> backend = (*entry)->open();
   if (!backend) return tl::unexpected(backend.error());
   return SurfacePlan{std::move(*mesh), std::move(*backend)};
+}
+
+Result<SurfacePlan> planByTable(const SurfaceOptions& options) {
+  const auto given = [&](const SchemeOption* option) { return options.scheme.given(*option); };
+  const std::vector<const SchemeOption*> all = allOptions();
+  if (options.levels || options.order != SurfaceOptions{}.order || options.scheme.scheme != SchemeOptions{}.scheme ||
+      std::any_of(all.begin(), all.end(), given))
+    return fail(ErrorCode::invalidOption,
+                "--table: the file has scheme, levels and their options; leave --scheme, --levels, --order and the "
+                "scheme's options out");
+  const auto entry = choose(backends(), "--backend", options.backend);
+  if (!entry) return tl::unexpected(entry.error());
+  Result<MeshInput> input = readMesh(options.input, options.read);
+  if (!input) return tl::unexpected(input.error());
+  Result<std::unique_ptr<Backend>> backend = (*entry)->open();
+  if (!backend) return tl::unexpected(backend.error());
+  return SurfacePlan{{std::move(*input), {}, {}}, std::move(*backend)};
 }
 
 Result<Far::Refinement> buildTables(const SurfacePlan& plan, const RunShape& shape) {

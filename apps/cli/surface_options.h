@@ -28,6 +28,8 @@ struct SurfaceOptions {
   ReadOptions read;
 };
 
+/// Adds --levels.
+void addLevelsOption(CLI::App& subcommand, std::optional<std::int32_t>& levels);
 /// Adds --levels, the scheme's options, --backend, --order and what addReadOptions adds.
 void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options);
 
@@ -39,6 +41,10 @@ struct SurfacePlan {
 
 /// Reads and validates everything the options name, but central control vertices. Errors: whatever is wrong with it.
 Result<SurfacePlan> planSurface(const SurfaceOptions& options, int bytesPerNumber, const LevelChoice& levels = {});
+
+/// The same for a table file, which has scheme and levels: the chain and the topology of the plan are empty. Errors:
+/// also invalidOption for levels, a scheme or an order that the table has.
+Result<SurfacePlan> planByTable(const SurfaceOptions& options);
 
 /// Builds the tables, if they and the run's buffers fit. Errors: tooLarge.
 Result<Far::Refinement> buildTables(const SurfacePlan& plan, const RunShape& shape);

@@ -77,27 +77,30 @@ class VulkanBackend : public Backend {
     return inFlight(refinement, *table, 1);
   }
   int framesAtOnce() const override { return kFramesInFlight; }
-  Result<FrameEvaluators> frameEvaluators(const Far::Refinement& refinement, std::int32_t frames, int atOnce) override {
-    if (tilesPay(refinement, frames, atOnce)) {
-      const auto tiles = uploadTiles(refinement);
-      if (tiles) return streamOf(refinement, *tiles, atOnce, static_cast<std::int64_t>(tiles->byteCount()));
+  Result<FrameEvaluators> frameEvaluators(const SurfaceTables& tables, std::int32_t frames, int atOnce) override {
+    const bool build = tables.refinement != nullptr && tilesPay(tables.levels, frames, atOnce);
+    if (tables.tiles != nullptr || build) {
+      const auto tiles = uploadTiles(tables);
+      if (tiles) return streamOf(tables, *tiles, atOnce, static_cast<std::int64_t>(tiles->byteCount()));
       // Level after level works under none of the limits that tiles have.
       if (tiles.error().code != ErrorCode::tooLarge) return tl::unexpected(tiles.error());
     }
-    const auto levels = evaluator_.upload(refinement);
+    const auto levels = evaluator_.upload(tables.levels);
     if (!levels) return tl::unexpected(levels.error());
-    return streamOf(refinement, *levels, atOnce, 0);
+    return streamOf(tables, *levels, atOnce, 0);
   }
 
  private:
-  Result<Osd::VulkanTable> uploadTiles(const Far::Refinement& refinement) {
-    const Result<Far::TileTable> tiles = Far::buildTileTable(refinement, {.scratchPoints = evaluator_.tilePoints()});
+  Result<Osd::VulkanTable> uploadTiles(const SurfaceTables& tables) {
+    if (tables.tiles != nullptr) return evaluator_.uploadTiles(tables.levels, *tables.tiles);
+    const Result<Far::TileTable> tiles =
+        Far::buildTileTable(*tables.refinement, {.scratchPoints = evaluator_.tilePoints()});
     if (!tiles) return tl::unexpected(tiles.error());
-    return evaluator_.uploadTiles(refinement, *tiles);
+    return evaluator_.uploadTiles(tables.levels, *tiles);
   }
-  Result<FrameEvaluators> streamOf(const Far::Refinement& refinement, const Osd::VulkanTable& table, int atOnce,
+  Result<FrameEvaluators> streamOf(const SurfaceTables& tables, const Osd::VulkanTable& table, int atOnce,
                                    std::int64_t tileBytes) {
-    auto made = inFlight(refinement, table, atOnce);
+    auto made = inFlight(tables, table, atOnce);
     if (!made) return tl::unexpected(made.error());
     FrameEvaluators evaluators;
     evaluators.tileBytes = tileBytes;
@@ -105,11 +108,11 @@ class VulkanBackend : public Backend {
     evaluators.each.push_back(std::move(*made));
     return evaluators;
   }
-  Result<std::unique_ptr<VulkanSurfaceEvaluator>> inFlight(const Far::Refinement& refinement,
-                                                           const Osd::VulkanTable& table, int count) {
+  Result<std::unique_ptr<VulkanSurfaceEvaluator>> inFlight(const SurfaceTables& tables, const Osd::VulkanTable& table,
+                                                           int count) {
     auto frames = Osd::VulkanFrames::create(evaluator_, table, {.framesInFlight = static_cast<std::uint32_t>(count)});
     if (!frames) return tl::unexpected(frames.error());
-    return std::make_unique<VulkanSurfaceEvaluator>(std::move(*frames), refinement.last().topology.vertexCount());
+    return std::make_unique<VulkanSurfaceEvaluator>(std::move(*frames), tables.vertexCount);
   }
 
   Osd::VulkanContext context_;

@@ -33,8 +33,11 @@ class LevelTables {
   const LevelTable& table(std::int32_t k) const {
     return *reinterpret_cast<const LevelTable*>(first_ + static_cast<std::size_t>(k) * step_);
   }
-  /// Points of level k, 0 <= k <= levelCount(), of at least one level.
-  std::int32_t pointCount(std::int32_t k) const { return k == 0 ? table(1).sourceCount : table(k).targetCount; }
+  /// Points of level k, 0 <= k <= levelCount(); none where there is no table.
+  std::int32_t pointCount(std::int32_t k) const {
+    if (count_ == 0) return 0;
+    return k == 0 ? table(1).sourceCount : table(k).targetCount;
+  }
   /// Of the last level; empty where there are none.
   const LimitTable& limits() const { return *limits_; }
 

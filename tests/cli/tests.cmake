@@ -29,6 +29,7 @@ honeycomb_test(cli_test
     ${CMAKE_CURRENT_LIST_DIR}/primvars_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/refine_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scheme_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/table_test.cpp
   LIBRARIES honeycomb::cli cli_test_support nlohmann_json::nlohmann_json)
 add_dependencies(cli_test honeycomb cli_signal_at_write)
 if(TARGET assimp::assimp)
