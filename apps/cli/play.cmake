@@ -15,6 +15,7 @@ target_sources(honeycomb_cli PRIVATE
   play/player.cpp
   play/stage.cpp
   play/surface.cpp
+  play/surface_loader.cpp
   play/video_pipe.cpp)
 target_link_libraries(honeycomb_cli PUBLIC honeycomb::viewer)
 

@@ -60,7 +60,7 @@ Result<SurfacePlan> planSurface(const SurfaceOptions& options, int bytesPerNumbe
   if (!mesh) return tl::unexpected(mesh.error());
   Result<std::unique_ptr<Backend>> backend = (*entry)->open();
   if (!backend) return tl::unexpected(backend.error());
-  return SurfacePlan{std::move(*mesh), std::move(*backend)};
+  return SurfacePlan{std::move(*mesh), std::move(*backend), request->parts.back().scheme->limits};
 }
 
 Result<SurfacePlan> planByTable(const SurfaceOptions& options) {

@@ -37,6 +37,7 @@ void addSurfaceOptions(CLI::App& subcommand, SurfaceOptions& options);
 struct SurfacePlan {
   ControlMesh mesh;
   std::unique_ptr<Backend> backend;
+  bool limits = false;  ///< are those of the chain's last scheme known?
 };
 
 /// Reads and validates everything the options name, but central control vertices. Errors: whatever is wrong with it.

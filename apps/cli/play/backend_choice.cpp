@@ -27,6 +27,12 @@ void BackendChoice::restart() {
   settled_ = candidates_.size() == 1;
 }
 
+std::string BackendChoice::first() const {
+  BackendChoice other = *this;
+  other.restart();
+  return other.current();
+}
+
 const std::string& BackendChoice::current() const {
   return candidates_[next_];
 }

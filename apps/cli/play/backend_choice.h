@@ -22,6 +22,8 @@ class BackendChoice {
   void took(double milliseconds);
   /// It can't be used here: the others remain. False where there is none.
   bool drop();
+  /// What refines the first frame after restart().
+  std::string first() const;
   /// The tables are others: tries again where it has to choose.
   void restart();
 

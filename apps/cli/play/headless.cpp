@@ -41,7 +41,7 @@ struct Show {
   std::int32_t frameOf(std::int32_t picture) const { return surface->moves() ? picture : 0; }
   /// In the file's name: the frame's, where there are frames.
   std::int32_t numberOf(std::int32_t picture) const {
-    return surface->moves() ? surface->frameNumber(picture) : picture;
+    return surface->moves() || !command.turntable ? surface->frameNumber(picture) : picture;
   }
 };
 
@@ -195,21 +195,19 @@ Result<void> printSummary(const Show& show, const Session& session, const Times&
 
 Result<void> playHeadless(const PlayCommand& command, const Session& session) {
   if (const auto sound = checkOutputs(command); !sound) return sound;
-  const auto appearance = appearanceOf(command);
-  if (!appearance) return tl::unexpected(appearance.error());
-  const auto size = parseSize(command.size);
-  if (!size) return tl::unexpected(size.error());
-  auto backend = BackendChoice::parse(command.request.surface.backend);
-  if (!backend) return tl::unexpected(backend.error());
+  auto settings = settingsOf(command);
+  if (!settings) return tl::unexpected(settings.error());
+  const PictureSize size = settings->size;
   // The device is opened while tables are built.
   auto building = std::async(std::launch::async, [&command] { return PlaySurface::build(command.request); });
-  auto stage = Stage::open({.picture = {size->width, size->height}});
+  auto stage = Stage::open({.picture = {size.width, size.height}});
   const auto surface = building.get();
   if (!surface) return tl::unexpected(surface.error());
   if (!stage) return tl::unexpected(stage.error());
+  printNotes(session, (*surface)->input());
   if (const auto shown = stage->show(*surface); !shown)
     return tl::unexpected(inFile((*surface)->file(), shown.error()));
-  Show show{command, *appearance, *size, std::move(*backend), *surface, *stage};
+  Show show{command, settings->appearance, size, std::move(settings->backend), *surface, *stage};
   Times times;
   if (const auto written = writePictures(show, session, times); !written) return written;
   if (const auto written = writeSheet(show, times); !written) return written;

@@ -28,12 +28,16 @@ Result<PictureSize> parseSize(const std::string& text) {
   return fail(ErrorCode::invalidOption, fmt::format("--size {}: give width and height in pixels, as 1280x800", text));
 }
 
-Result<Appearance> appearanceOf(const PlayCommand& command) {
+Result<PlaySettings> settingsOf(const PlayCommand& command) {
   const auto look = lookNamed(command.view);
   if (!look) return tl::unexpected(look.error());
+  const auto size = parseSize(command.size);
+  if (!size) return tl::unexpected(size.error());
+  auto backend = BackendChoice::parse(command.request.surface.backend);
+  if (!backend) return tl::unexpected(backend.error());
   Appearance appearance{*look, std::nullopt, command.cage, command.normals};
   if (command.edges || command.noEdges) appearance.edges = command.edges;
-  return appearance;
+  return PlaySettings{appearance, *size, std::move(*backend)};
 }
 
 }  // namespace honeycomb::Cli::Play

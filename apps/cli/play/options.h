@@ -4,6 +4,7 @@
 #include <string>
 
 #include "apps/cli/console.h"
+#include "apps/cli/play/backend_choice.h"
 #include "apps/cli/play/stage.h"
 
 namespace honeycomb::Cli::Play {
@@ -30,10 +31,17 @@ struct PictureSize {
   float aspect() const { return static_cast<float>(width) / static_cast<float>(height); }
 };
 
+/// What the command line's words mean, with a window and without.
+struct PlaySettings {
+  Appearance appearance;
+  PictureSize size;
+  BackendChoice backend;
+};
+
 /// "1280x800". Errors: invalidOption.
 Result<PictureSize> parseSize(const std::string& text);
-/// Errors: invalidOption for an unknown view.
-Result<Appearance> appearanceOf(const PlayCommand& command);
+/// Errors: invalidOption for an unknown view or backend, and for what is no size.
+Result<PlaySettings> settingsOf(const PlayCommand& command);
 
 /// Draws every frame without a window and writes pictures, a video, a contact sheet. Errors: everything's.
 Result<void> playHeadless(const PlayCommand& command, const Session& session);

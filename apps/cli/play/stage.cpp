@@ -9,6 +9,8 @@
 namespace honeycomb::Cli::Play {
 namespace {
 
+constexpr std::string_view kDeviceBackend = "vulkan";
+
 template <class Kind>
 Result<std::unique_ptr<Viewer::Poses>> onHeap(Result<Kind> poses) {
   if (!poses) return tl::unexpected(poses.error());
@@ -24,11 +26,7 @@ Stage& Stage::operator=(Stage&& other) noexcept {
   // What is on the device goes before the device does.
   std::swap(context_, other.context_);
   std::swap(renderer_, other.renderer_);
-  std::swap(surface_, other.surface_);
-  std::swap(cells_, other.cells_);
-  std::swap(cage_, other.cage_);
-  std::swap(colouring_, other.colouring_);
-  std::swap(poses_, other.poses_);
+  std::swap(shown_, other.shown_);
   std::swap(posed_, other.posed_);
   return *this;
 }
@@ -47,55 +45,73 @@ Result<Stage> Stage::open(const StageOptions& options) {
   return Stage(std::move(owned), std::move(*renderer));
 }
 
-Result<void> Stage::show(std::shared_ptr<const PlaySurface> surface) {
+Result<LoadedSurface> Stage::load(std::shared_ptr<const PlaySurface> surface, const LoadOptions& options) const {
   const Far::Refinement& refinement = surface->refinement();
   const Far::Topology& last = refinement.last().topology;
-  const auto colours = Viewer::cellColours(refinement, refinement.levelCount(), colouring_);
+  const auto colours = Viewer::cellColours(refinement, refinement.levelCount(), options.colouring);
   auto cells = renderer_.upload({last.vertexCount(), last.faceOffsets(), last.vert(), colours});
   if (!cells) return tl::unexpected(cells.error());
   const Far::Topology& control = refinement.level(0).topology;
   auto cage = renderer_.upload(control.vertexCount(), Viewer::edgePairs(control));
   if (!cage) return tl::unexpected(cage.error());
+  LoadedSurface loaded{surface, std::move(*cells), std::move(*cage), options.colouring, {}};
+  for (const std::string& backend : options.backends) {
+    // Tables go to the device through its queue, which is the drawing thread's; what can't be made ready is made, and
+    // its error met, where it is used.
+    if (backend == kDeviceBackend) continue;
+    if (auto made = makePoses(backend, *surface)) loaded.poses.emplace(backend, std::move(*made));
+  }
+  return loaded;
+}
+
+void Stage::show(LoadedSurface loaded) {
   posed_ = nullptr;
-  poses_.clear();
-  surface_ = std::move(surface);
-  cells_ = std::move(*cells);
-  cage_ = std::move(*cage);
+  shown_.poses.clear();
+  shown_ = std::move(loaded);
+}
+
+Result<void> Stage::show(std::shared_ptr<const PlaySurface> surface) {
+  auto loaded = load(std::move(surface), {{}, shown_.colouring});
+  if (!loaded) return tl::unexpected(loaded.error());
+  show(std::move(*loaded));
   return {};
 }
 
+Result<std::unique_ptr<Viewer::Poses>> Stage::makePoses(const std::string& backend, const PlaySurface& surface) const {
+  if (backend != kDeviceBackend) return onHeap(HostPoses::create(backend, surface, renderer_));
+  return onHeap(Viewer::DevicePoses::create(
+      context_->device(), surface.refinement(),
+      {surface.hasNormals(), {.pipelineCache = Osd::pipelineCacheIn(Io::cacheFolder(), context_->deviceName())}}));
+}
+
 Result<Viewer::Poses*> Stage::poses(const std::string& backend) {
-  if (const auto found = poses_.find(backend); found != poses_.end()) return found->second.get();
-  const bool normals = surface_->hasNormals();
-  auto made = backend == "vulkan"
-                  ? onHeap(Viewer::DevicePoses::create(
-                        context_->device(), surface_->refinement(),
-                        {normals, {.pipelineCache = Osd::pipelineCacheIn(Io::cacheFolder(), context_->deviceName())}}))
-                  : onHeap(HostPoses::create(backend, *surface_, renderer_));
+  auto& poses = shown_.poses;
+  if (const auto found = poses.find(backend); found != poses.end()) return found->second.get();
+  auto made = makePoses(backend, surface());
   if (!made) return tl::unexpected(made.error());
-  return poses_.emplace(backend, std::move(*made)).first->second.get();
+  return poses.emplace(backend, std::move(*made)).first->second.get();
 }
 
 Result<Viewer::PoseTimes> Stage::pose(const std::string& backend, std::int32_t frame) {
   const auto found = poses(backend);
   if (!found) return tl::unexpected(found.error());
-  const auto control = surface_->control(frame, storage_);
+  const auto control = surface().control(frame, storage_);
   if (!control) return tl::unexpected(control.error());
   const auto times = (*found)->pose(*control);
-  if (!times) return tl::unexpected(surface_->ofFrame(frame, times.error()));
+  if (!times) return tl::unexpected(surface().ofFrame(frame, times.error()));
   const auto vertices =
-      (*found)->refined().first(3 * static_cast<std::size_t>(surface_->refinement().last().topology.vertexCount()));
+      (*found)->refined().first(3 * static_cast<std::size_t>(surface().refinement().last().topology.vertexCount()));
   if (const auto finite = checkFinite<float>(vertices); !finite)
-    return tl::unexpected(surface_->ofFrame(frame, finite.error()));
+    return tl::unexpected(surface().ofFrame(frame, finite.error()));
   posed_ = *found;
   return times;
 }
 
 void Stage::recolour(Viewer::Colouring wanted) {
-  if (wanted == colouring_) return;
-  const Far::Refinement& refinement = surface_->refinement();
-  Viewer::Renderer::recolour(cells_, Viewer::cellColours(refinement, refinement.levelCount(), wanted));
-  colouring_ = wanted;
+  if (wanted == shown_.colouring) return;
+  const Far::Refinement& refinement = surface().refinement();
+  Viewer::Renderer::recolour(shown_.cells, Viewer::cellColours(refinement, refinement.levelCount(), wanted));
+  shown_.colouring = wanted;
 }
 
 Result<Viewer::Subject> Stage::subject(const Appearance& appearance) {
@@ -103,18 +119,18 @@ Result<Viewer::Subject> Stage::subject(const Appearance& appearance) {
   const auto points = posed_->points();
   if (!points) return tl::unexpected(points.error());
   recolour(Viewer::looks()[appearance.look].colouring);
-  return Viewer::Subject{.mesh = cells_,
+  return Viewer::Subject{.mesh = shown_.cells,
                          .positions = points->refined,
                          .normals = points->normals,
-                         .cage = appearance.cage ? &cage_ : nullptr,
+                         .cage = appearance.cage ? &shown_.cage : nullptr,
                          .cagePoints = points->control,
-                         .spikes = appearance.normals && surface_->hasNormals()};
+                         .spikes = appearance.normals && surface().hasNormals()};
 }
 
 Viewer::View Stage::view(const Appearance& appearance, const Orbit& orbit) const {
   const Viewer::Look& look = Viewer::looks()[appearance.look];
-  Viewer::View view{orbit.camera(), surface_->bounds(), Viewer::styleOf(look, appearance.edges.value_or(look.edges))};
-  if (!surface_->hasNormals()) view.style.faceted = true;
+  Viewer::View view{orbit.camera(), surface().bounds(), Viewer::styleOf(look, appearance.edges.value_or(look.edges))};
+  if (!surface().hasNormals()) view.style.faceted = true;
   return view;
 }
 

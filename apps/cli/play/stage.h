@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "apps/cli/play/orbit.h"
 #include "apps/cli/play/surface.h"
@@ -26,6 +27,21 @@ struct StageOptions {
   Viewer::RendererOptions picture{};
 };
 
+/// What a surface is brought to a device for.
+struct LoadOptions {
+  std::vector<std::string> backends;  ///< that its frames will be refined on; those on the CPU are made ready
+  Viewer::Colouring colouring = Viewer::Colouring::plain;
+};
+
+/// A surface on a device, to be shown.
+struct LoadedSurface {
+  std::shared_ptr<const PlaySurface> surface;
+  Viewer::CellMesh cells;
+  Viewer::LineMesh cage;
+  Viewer::Colouring colouring = Viewer::Colouring::plain;
+  std::map<std::string, std::unique_ptr<Viewer::Poses>> poses;  ///< by backend; they refer to the surface
+};
+
 /// A device and what is on it: a surface, what refines it, and the renderer. Belongs to one thread at a time.
 class Stage {
  public:
@@ -35,10 +51,15 @@ class Stage {
   Stage& operator=(Stage&&) noexcept;
   ~Stage();
 
-  /// Brings a surface to the device in place of the one before; nothing may still draw that. After an error the one
-  /// before stays. Errors: outOfMemory, tooLarge, deviceLost.
+  /// Brings a surface to the device, beside the one that is shown. Thread-safe: the stage may be drawing, but neither
+  /// be moved nor end. Errors: outOfMemory, tooLarge, deviceLost.
+  Result<LoadedSurface> load(std::shared_ptr<const PlaySurface> surface, const LoadOptions& options) const;
+  /// Shows a surface that this stage has loaded, in place of the one before; nothing may still draw that.
+  void show(LoadedSurface loaded);
+  /// Both. After an error the one before stays. Errors: those of load.
   Result<void> show(std::shared_ptr<const PlaySurface> surface);
-  const PlaySurface& surface() const { return *surface_; }
+  const PlaySurface& surface() const { return *shown_.surface; }
+  Viewer::Colouring colouring() const { return shown_.colouring; }
 
   /// Refines a frame on that backend (vulkan, or one of backends()), whose tables are brought where they are needed
   /// when first asked for, and makes it the pose that is drawn. Errors: those of the animation, naming the frame;
@@ -59,16 +80,13 @@ class Stage {
 
  private:
   Stage(std::unique_ptr<Osd::VulkanContext> context, Viewer::Renderer renderer);
+  Result<std::unique_ptr<Viewer::Poses>> makePoses(const std::string& backend, const PlaySurface& surface) const;
   Result<Viewer::Poses*> poses(const std::string& backend);
   void recolour(Viewer::Colouring wanted);
 
   std::unique_ptr<Osd::VulkanContext> context_;
   Viewer::Renderer renderer_;
-  std::shared_ptr<const PlaySurface> surface_;
-  Viewer::CellMesh cells_;
-  Viewer::LineMesh cage_;
-  Viewer::Colouring colouring_ = Viewer::Colouring::plain;
-  std::map<std::string, std::unique_ptr<Viewer::Poses>> poses_;
+  LoadedSurface shown_;
   Viewer::Poses* posed_ = nullptr;
   FrameStorage storage_;
 };

@@ -10,7 +10,6 @@
 namespace honeycomb::Cli::Play {
 namespace {
 
-constexpr double kUsualFramesPerSecond = 24;  ///< of animations that don't say
 constexpr std::int32_t kOutlineFrames = 8;
 constexpr std::size_t kOutlinePoints = 20000;  ///< a frame
 
@@ -43,20 +42,18 @@ Result<void> PlaySurface::readInput(const SurfaceRequest& request) {
     Result<Animation> animation = openAnimation(request.animation, input);
     if (!animation) return tl::unexpected(animation.error());
     animation_ = std::move(*animation);
-  } else if (!request.animation.frames.empty()) {
-    return fail(ErrorCode::invalidOption,
-                fmt::format("--frames {}: {} holds one pose only; name its animation with --cache FILE.pc2",
-                            request.animation.frames, input.file));
+  } else if (!request.animation.frames.empty() || input.framesPerSecond) {
+    return fail(
+        ErrorCode::invalidOption,
+        fmt::format("{}: {} holds one pose only; name its animation with --cache FILE.pc2",
+                    request.animation.frames.empty() ? "--fps" : "--frames " + request.animation.frames, input.file));
   }
   const SchemeOptions& scheme = request.surface.scheme;
   Result<CentralPoints> central = animation_ ? readCentralCache(scheme, input, animation_->frames->info().frameCount)
                                              : readCentralPoints(scheme, input);
   if (!central) return tl::unexpected(central.error());
   central_ = std::move(*central);
-  const auto chain = readChain(scheme, request.surface.levels);
-  if (!chain) return tl::unexpected(chain.error());
-  normals_ = chain->parts.back().scheme->limits;
-  Result<Far::Refinement> refinement = buildTables(plan_, {1, sizeof(float), normals_, central_.given});
+  Result<Far::Refinement> refinement = buildTables(plan_, {1, sizeof(float), hasNormals(), central_.given});
   if (!refinement) return tl::unexpected(refinement.error());
   refinement_.emplace(std::move(*refinement));
   return {};
@@ -85,8 +82,7 @@ Result<void> PlaySurface::measure() {
 }
 
 double PlaySurface::framesPerSecond() const {
-  const double said = animation_ ? static_cast<double>(animation_->frames->info().framesPerSecond) : 0;
-  return said > 0 ? said : kUsualFramesPerSecond;
+  return animation_ ? animation_->frames->info().playedAt() : Io::kUsualFramesPerSecond;
 }
 
 Result<std::span<const float>> PlaySurface::control(std::int32_t frame, FrameStorage& storage) const {

@@ -33,7 +33,7 @@ class PlaySurface {
   bool moves() const { return frameCount() > 1; }
   double framesPerSecond() const;
   /// Are limit normals known? Without them cells are shaded by their own.
-  bool hasNormals() const { return normals_; }
+  bool hasNormals() const { return plan_.limits; }
 
   /// Control points of a frame, 0 .. frameCount()-1: vertices, then central control vertices where they are given.
   /// Thread-safe with a storage of one's own. Errors: those of the animation.
@@ -46,6 +46,8 @@ class PlaySurface {
   /// Of these frames, all their points.
   const Viewer::Bounds& bounds() const { return bounds_; }
   const std::string& file() const { return plan_.mesh.input.file; }
+  /// What of it was left out or changed, see printNotes.
+  const MeshInput& input() const { return plan_.mesh.input; }
   double buildMs() const { return buildMs_; }
 
  private:
@@ -57,7 +59,6 @@ class PlaySurface {
   std::optional<Animation> animation_;
   CentralPoints central_;
   std::optional<Far::Refinement> refinement_;
-  bool normals_ = false;
   std::vector<float> outline_;
   Viewer::Bounds bounds_;
   double buildMs_ = 0;

@@ -41,16 +41,15 @@ WindowHandle::~WindowHandle() {
 }
 
 Result<void> playInWindow(const PlayCommand& command, const Session& session) {
-  const auto appearance = appearanceOf(command);
-  if (!appearance) return tl::unexpected(appearance.error());
-  const auto size = parseSize(command.size);
-  if (!size) return tl::unexpected(size.error());
-  auto backend = BackendChoice::parse(command.request.surface.backend);
-  if (!backend) return tl::unexpected(backend.error());
-  Player player(command.request, *appearance, std::move(*backend), PlaySurface::build, command.turntable);
-  auto handle = WindowHandle::open(*size, "Honeycomb: " + command.request.surface.input);
+  auto settings = settingsOf(command);
+  if (!settings) return tl::unexpected(settings.error());
+  SurfaceLoader loader;
+  Player player(
+      command.request, settings->appearance, std::move(settings->backend),
+      [&loader](const SurfaceRequest& request) { return loader.build(request); }, command.turntable);
+  auto handle = WindowHandle::open(settings->size, "Honeycomb: " + command.request.surface.input);
   if (!handle) return tl::unexpected(handle.error());
-  Window window(std::move(*handle), player, command.output.empty() ? "honeycomb_%04d.png" : command.output);
+  Window window(std::move(*handle), player, loader, command.output.empty() ? "honeycomb_%04d.png" : command.output);
   const auto summary = window.run(command.seconds);
   if (!summary) return tl::unexpected(summary.error());
   if (!session.json) return {};

@@ -53,27 +53,33 @@ bool Window::Drawn::operator==(const Drawn& other) const {
          target == other.target && sameSize(size, other.size);
 }
 
-Window::Window(WindowHandle handle, Player& player, std::string pictureNames)
+Window::Window(WindowHandle handle, Player& player, SurfaceLoader& loader, std::string pictureNames)
     : handle_(std::move(handle)),
       player_(player),
+      loader_(loader),
       input_(handle_.get(), player),
       interface_(handle_.get()),
       pictureNames_(std::move(pictureNames)) {}
 
 Window::~Window() {
+  closeDevice();
+}
+
+void Window::closeDevice() {
+  loader_.useStage(nullptr);
   screen_.reset();
   stage_.reset();
 }
 
 Result<void> Window::openDevice() {
-  screen_.reset();
-  stage_.reset();
+  closeDevice();
   auto stage = Stage::open(stageOptions(framebufferOf(handle_.get())));
   if (!stage) return tl::unexpected(stage.error());
   stage_.emplace(std::move(*stage));
   auto screen = Screen::create(handle_.get(), stage_->context().device());
   if (!screen) return tl::unexpected(screen.error());
   screen_.emplace(std::move(*screen));
+  loader_.useStage(&*stage_);
   facts_.device = stage_->context().deviceName();
   everDrawn_ = false;
   return {};
@@ -114,7 +120,10 @@ float Window::aspect() const {
 Result<void> Window::takeSurface() {
   if (const auto finished = screen_->finishFrame(); !finished) return finished;
   posedFrame_ = -1;
-  return stage_->show(player_.surface());
+  auto loaded = loader_.take(*player_.surface());
+  if (!loaded) return stage_->show(player_.surface());
+  stage_->show(std::move(*loaded));
+  return {};
 }
 
 Result<void> Window::fitSize() {
@@ -130,6 +139,7 @@ Result<void> Window::frame(double seconds) {
   // Minimized.
   const VkExtent2D size = framebufferOf(handle_.get());
   if (size.width == 0 || size.height == 0) return {};
+  loader_.expect({{player_.backend.first()}, stage_->colouring()});
   if (player_.update(seconds, aspect()))
     if (const auto taken = takeSurface(); !taken) return taken;
   if (player_.failure()) return tl::unexpected(*player_.failure());

@@ -5,6 +5,7 @@
 
 #include "apps/cli/play/options.h"
 #include "apps/cli/play/player.h"
+#include "apps/cli/play/surface_loader.h"
 #include "apps/cli/play/window/input.h"
 #include "apps/cli/play/window/interface.h"
 #include "apps/cli/play/window/screen.h"
@@ -37,7 +38,8 @@ struct WindowSummary {
 /// A window that shows a player, and the device it draws with. Belongs to the main thread.
 class Window {
  public:
-  Window(WindowHandle handle, Player& player, std::string pictureNames);
+  /// `loader` is what the player's surfaces are built by; both outlive the window.
+  Window(WindowHandle handle, Player& player, SurfaceLoader& loader, std::string pictureNames);
   ~Window();
 
   /// Until it is closed, the player quits, or `seconds` (0: any time) have passed since the first picture.
@@ -60,6 +62,7 @@ class Window {
   };
 
   Result<void> openDevice();
+  void closeDevice();
   Result<void> frame(double seconds);
   Result<void> takeSurface();
   Result<void> fitSize();
@@ -73,6 +76,7 @@ class Window {
 
   WindowHandle handle_;
   Player& player_;
+  SurfaceLoader& loader_;
   WindowInput input_;
   InterfaceContext interface_;
   std::optional<Stage> stage_;
