@@ -68,8 +68,11 @@ Outcome run(const std::vector<std::string>& arguments, const RunOptions& options
 
 pid_t start(const std::vector<std::string>& arguments, const RunOptions& options) {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  const int out =
+      options.output.empty() ? nowhere : open(options.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   const pid_t child = fork();
-  if (child == 0) become(arguments, options, nowhere, nowhere);
+  if (child == 0) become(arguments, options, out, nowhere);
+  if (out != nowhere) close(out);
   close(nowhere);
   return child;
 }

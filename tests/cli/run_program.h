@@ -30,12 +30,13 @@ struct RunOptions {
   long fileSizeLimit = -1;                                            ///< bytes a file may get (RLIMIT_FSIZE); -1: any
   int ranks = 0;                                                      ///< started by mpirun; 0: without it
   SignalAtWrite at = {};
+  std::string output = {};  ///< of start(): the file that standard output goes to; empty: none
 };
 
 /// Runs the built program to its end. Its stderr is no terminal, so it must say nothing there but errors.
 Outcome run(const std::vector<std::string>& arguments, const RunOptions& options = {});
 
-/// Starts it and leaves it running; output is thrown away. wait() collects it.
+/// Starts it and leaves it running; output is thrown away, but for RunOptions::output. wait() collects it.
 pid_t start(const std::vector<std::string>& arguments, const RunOptions& options = {});
 Outcome wait(pid_t child);
 

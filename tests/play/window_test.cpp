@@ -1,9 +1,11 @@
 #include <chrono>
 #include <functional>
 #include <thread>
+#include <utility>
 
 #include "tests/cli/workplace.h"
 #include "tests/play/display.h"
+#include "tests/play/file_drop.h"
 #include "tests/play/pictures.h"
 
 namespace honeycomb::Test {
@@ -29,28 +31,30 @@ class WindowTest : public Workplace {
     frames = cache("torus.pc2", 36, kFrames, numbers);
     display->act("mousemove " + std::to_string(kWidth / 2) + " " + std::to_string(kHeight / 2));
   }
-  void TearDown() override {
+  void TearDown() override { close(); }
+  void close() {
     if (child <= 0) return;
     display->act("key q");
-    EXPECT_EQ(wait(child).exitCode, 0);
+    EXPECT_EQ(wait(std::exchange(child, 0)).exitCode, 0);
   }
 
   std::vector<std::string> options() const {
     return {mesh, "--cache", frames, "--levels", "1", "--size", std::to_string(kWidth) + "x" + std::to_string(kHeight)};
   }
   /// Opens the window without panels and waits for its first picture.
-  void open() {
+  void open(const std::vector<std::string>& more = {}, const RunOptions& how = {}) {
     std::vector<std::string> arguments = options();
     arguments.insert(arguments.begin(), "play");
     arguments.insert(arguments.end(), {"--output", path("shot_%d.png")});
-    child = start(arguments);
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    child = start(arguments, how);
     ASSERT_TRUE(becomes([this] { return shareOf(screen(), lit) > 0.9; })) << "there is a picture";
     display->act("key Tab key g");
     // The server tells a window of the pointer once that enters it.
     display->act("mousemove 600 400 sleep 0.2 mousemove 120 75");
   }
-  void openAtFirstFrame() {
-    open();
+  void openAtFirstFrame(const std::vector<std::string>& more = {}, const RunOptions& how = {}) {
+    open(more, how);
     display->act("key Home");
   }
   static bool lit(const Colour& colour) { return colour.red + colour.green + colour.blue > 30; }
@@ -65,8 +69,11 @@ class WindowTest : public Workplace {
     return false;
   }
   /// The picture without a window. Of all frames: the camera holds them all.
-  Viewer::Picture headless(int frame, std::vector<std::string> more = {}) const {
-    std::vector<std::string> arguments = options();
+  Viewer::Picture headless(int frame, const std::vector<std::string>& more = {}) const {
+    return headless(options(), frame, more);
+  }
+  Viewer::Picture headless(std::vector<std::string> arguments, int frame,
+                           const std::vector<std::string>& more = {}) const {
     arguments.insert(arguments.begin(), "play");
     arguments.insert(arguments.end(), {"--headless", "--output", path("headless_%d.png")});
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -78,9 +85,17 @@ class WindowTest : public Workplace {
     return becomes([&] { return screen().rgba == picture.rgba; });
   }
 
+  /// Whatever the interface has over it: what the window draws, as it writes it, is this picture.
+  bool draws(const Viewer::Picture& picture) {
+    const std::string shot = path("shot_" + std::to_string(shots++) + ".png");
+    display->act("key p");
+    return becomes([&] { return readPng(shot).width == kWidth; }) && readPng(shot).rgba == picture.rgba;
+  }
+
   std::unique_ptr<Display> display;
   std::string mesh, frames;
   pid_t child = 0;
+  int shots = 0;
 };
 
 TEST_F(WindowTest, PlaysUntilItIsStopped) {
@@ -133,9 +148,7 @@ TEST_F(WindowTest, WritesThePictureThatHeadlessWrites) {
   openAtFirstFrame();
   const Viewer::Picture expected = headless(0);
   ASSERT_TRUE(shows(expected));
-  display->act("key p");
-  EXPECT_TRUE(becomes([this] { return readPng(path("shot_0.png")).width == kWidth; }));
-  EXPECT_EQ(readPng(path("shot_0.png")).rgba, expected.rgba);
+  EXPECT_TRUE(draws(expected));
 }
 
 TEST_F(WindowTest, EveryBackendShowsTheSame) {
@@ -157,6 +170,48 @@ TEST_F(WindowTest, HelpIsOverThePicture) {
   EXPECT_TRUE(becomes([&] { return difference(bare, screen()) > 0.3; }));
   display->act("key question");
   EXPECT_TRUE(shows(bare));
+}
+
+// A layer between the program and the driver has the device lost at a submission, as a reset of a GPU does.
+TEST_F(WindowTest, WhereTheDeviceIsLostTheCpuGoesOn) {
+  const std::string order = path("lose_device"), summary = path("summary.json");
+  RunOptions how;
+  how.environment = {{"VK_LAYER_PATH", HONEYCOMB_LAYER_FOLDER},
+                     {"VK_INSTANCE_LAYERS", "VK_LAYER_lost_device"},
+                     {"HONEYCOMB_LOSE_DEVICE", order}};
+  how.output = summary;
+  openAtFirstFrame({"--backend", "vulkan", "--json"}, how);
+  const Viewer::Picture expected = headless(0);
+  ASSERT_TRUE(shows(expected));
+  (void)file("lose_device", "");
+  ASSERT_TRUE(becomes([&] { return !std::filesystem::exists(order); })) << "it is lost";
+  EXPECT_TRUE(becomes([&] { return shareOf(screen(), lit) > 0.9 && difference(expected, screen()) > 0.02; }))
+      << "a message says so";
+  EXPECT_TRUE(draws(expected));
+  display->act("key Right");
+  EXPECT_TRUE(draws(headless(1)));
+  close();
+  EXPECT_THAT(read("summary.json"), testing::HasSubstr("\"backend\": \"tbb\""));
+}
+
+TEST_F(WindowTest, DroppedFilesArePlayed) {
+  const std::string other = file("cube.obj", cubeObj());
+  openAtFirstFrame();
+  ASSERT_TRUE(shows(headless(0)));
+  ASSERT_TRUE(dropFiles({other}));
+  EXPECT_TRUE(shows(headless({other, "--levels", "1", "--size", "240x150"}, 0)));
+  ASSERT_TRUE(dropFiles({frames, mesh})) << "a cache and its mesh, in any order";
+  display->act("key Right");
+  EXPECT_TRUE(shows(headless(1)));
+}
+
+TEST_F(WindowTest, DroppedFilesOfOtherKindsAreRefusedInWords) {
+  openAtFirstFrame();
+  const Viewer::Picture before = headless(0);
+  ASSERT_TRUE(shows(before));
+  ASSERT_TRUE(dropFiles({file("notes.txt", "nothing to see")}));
+  EXPECT_TRUE(becomes([&] { return difference(before, screen()) > 0.02; })) << "a message says why";
+  EXPECT_TRUE(draws(before)) << "what was there is there still";
 }
 
 TEST(WindowErrorsTest, WithoutADisplayTheErrorSaysWhatElseToDo) {

@@ -56,6 +56,7 @@ void Player::take(BackgroundBuild::Outcome outcome) {
     orbit_.reset();
     frameAll();
   }
+  if (!sameFile && !surface_->input().notes.empty()) say(fmt::format("{}", fmt::join(surface_->input().notes, "\n")));
 }
 
 void Player::change(SurfaceRequest request) {
@@ -72,6 +73,12 @@ void Player::openFile(const std::string& path) {
   } else {
     request.surface.input = path;
     request.animation.cache.clear();
+    // What was asked of one scene isn't in another.
+    const ReadOptions& before = request_.surface.read;
+    ReadOptions& read = request.surface.read = {};
+    read.dropIsolated = before.dropIsolated;
+    read.splitNonManifold = before.splitNonManifold;
+    read.quads = before.quads;
   }
   change(std::move(request));
 }
