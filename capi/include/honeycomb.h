@@ -17,10 +17,8 @@
  * nothing. */
 #ifndef HONEYCOMB_H
 #define HONEYCOMB_H
-
 #include <stddef.h>
 #include <stdint.h>
-
 #if defined(_WIN32) && defined(HC_BUILD)
 #define HC_API __declspec(dllexport)
 #elif defined(_WIN32) && !defined(HC_STATIC)
@@ -30,13 +28,11 @@
 #else
 #define HC_API
 #endif
-
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* ---- Version -------------------------------------------------------------------------------------------------------
- */
+/* ---- Version ---- */
 
 #define HC_VERSION_MAJOR 0
 #define HC_VERSION_MINOR 1
@@ -48,8 +44,7 @@ extern "C" {
  * (the soname says so); from then on another major one. Any thread. */
 HC_API uint32_t hc_version(void);
 
-/* ---- Errors --------------------------------------------------------------------------------------------------------
- */
+/* ---- Errors ---- */
 
 typedef int32_t hc_status;
 enum {
@@ -83,8 +78,7 @@ enum { HC_ELEMENT_NONE = 0, HC_ELEMENT_VERTEX = 1, HC_ELEMENT_FACE = 2, HC_ELEME
  * about, -1: none; `kind` (may be NULL) says which. Any thread: each has its own. */
 HC_API int64_t hc_last_element(hc_element* kind);
 
-/* ---- Context -------------------------------------------------------------------------------------------------------
- */
+/* ---- Context ---- */
 
 /* Where the blocks of the objects that this API hands out come from, those of a context's own. The arrays in them
  * (tables, scratch memory of evaluators) come from the C++ library's operator new, which callbacks can't reach:
@@ -98,7 +92,6 @@ typedef struct hc_allocator {
 
 typedef int32_t hc_severity;
 enum { HC_LOG_NOTE = 0, HC_LOG_ERROR = 1 };
-
 typedef struct hc_context_options {
   size_t struct_size;
   hc_allocator allocator; /* both functions or neither: malloc() and free() */
@@ -108,15 +101,12 @@ typedef struct hc_context_options {
   void (*log)(void* log_user, hc_severity severity, const char* message);
   void* log_user;
 } hc_context_options;
-
 typedef struct hc_context hc_context;
-
 /* Where a context is taken NULL may be given: malloc(), and no log. Any thread. */
 HC_API hc_status hc_context_create(const hc_context_options* options, hc_context** context);
 HC_API void hc_context_destroy(hc_context* context);
 
-/* ---- Meshes --------------------------------------------------------------------------------------------------------
- */
+/* ---- Meshes ---- */
 
 /* An edge that stays sharp for that many steps, from 10 on for all of them, as in OpenSubdiv. */
 typedef struct hc_crease {
@@ -141,7 +131,6 @@ typedef struct hc_polygons {
 } hc_polygons;
 
 typedef struct hc_mesh hc_mesh;
-
 /* Reads a mesh: OBJ with creases, PLY, and where the library has Assimp the first pose of glTF, FBX, COLLADA ..; `path`
  * is UTF-8. Errors: UNREADABLE, INVALID_FILE, INVALID_POSITIONS, TOO_LARGE, INVALID_ARGUMENT for a format there isn't.
  * Any thread. */
@@ -152,8 +141,7 @@ HC_API hc_status hc_mesh_polygons(const hc_mesh* mesh, hc_polygons* polygons);
 /* x y z a vertex, in the mesh's own memory; `count` (may be NULL): how many numbers. Any thread. */
 HC_API hc_status hc_mesh_positions(const hc_mesh* mesh, const float** positions, size_t* count);
 
-/* ---- Tables --------------------------------------------------------------------------------------------------------
- */
+/* ---- Tables ---- */
 
 /* An option of a scheme by its name on the command line, without the dashes: {"tension", "sqrt3"}, {"boundary",
  * "eq16"}. README lists them. "ccv" and "ccv-offset" are none here: see central_points. */
@@ -194,7 +182,6 @@ typedef struct hc_tables_options {
 
 /* All that a mesh's connectivity decides, built once. Never changes. */
 typedef struct hc_tables hc_tables;
-
 /* Builds the tables of all levels. Linear in the vertices of the last level. Errors: INVALID_MESH (hc_last_element() is
  * the face or vertex), INVALID_ARGUMENT, TOO_LARGE, UNSUPPORTED, OUT_OF_MEMORY. Any thread. */
 HC_API hc_status hc_tables_create(hc_context* context, const hc_polygons* polygons, const hc_tables_options* options,
@@ -247,8 +234,7 @@ typedef struct hc_origin {
 HC_API hc_status hc_tables_face_origins(const hc_tables* tables, int32_t level, hc_origin* origins, int64_t capacity);
 HC_API hc_status hc_tables_vertex_origins(const hc_tables* tables, int32_t level, hc_origin* origins, int64_t capacity);
 
-/* ---- Evaluation on the CPU -----------------------------------------------------------------------------------------
- */
+/* ---- Evaluation on the CPU ---- */
 
 /* Where the values of points lie in a buffer of `size` floats; positions have length 3, texture coordinates 2, anything
  * from 1:
@@ -288,7 +274,6 @@ typedef struct hc_evaluator_options {
 
 /* Working memory of evaluations, kept from frame to frame: once warm nothing is allocated. */
 typedef struct hc_evaluator hc_evaluator;
-
 /* Any thread. */
 HC_API hc_status hc_evaluator_create(hc_context* context, const hc_evaluator_options* options,
                                      hc_evaluator** evaluator);
@@ -310,8 +295,100 @@ HC_API hc_status hc_evaluate_limits(hc_evaluator* evaluator, const hc_tables* ta
                                     const hc_points* points, const hc_points_out* positions,
                                     const hc_points_out* normals);
 
+/* ---- Evaluation on a Vulkan device ---- */
+
+/* Vulkan's own types, declared as vulkan.h does, so that its handles are given as they are, and it needn't be included.
+ */
+struct VkInstance_T;
+struct VkPhysicalDevice_T;
+struct VkDevice_T;
+struct VkQueue_T;
+struct VkCommandBuffer_T;
+struct VkAllocationCallbacks;
+#if defined(__LP64__) || defined(_WIN64) || (defined(__x86_64__) && !defined(__ILP32__)) || defined(__aarch64__)
+typedef struct VkBuffer_T* hc_vk_buffer;
+#else
+typedef uint64_t hc_vk_buffer;
+#endif
+typedef void (*hc_vk_function)(void);
+/* A device of the caller's, of Vulkan 1.2 or later, without any feature switched on. All of it outlives what is made
+ * from it. */
+typedef struct hc_vulkan_device {
+  size_t struct_size;
+  struct VkInstance_T* instance;
+  struct VkPhysicalDevice_T* physical_device;
+  struct VkDevice_T* device;
+  struct VkQueue_T* queue; /* with compute */
+  uint32_t queue_family;
+  const struct VkAllocationCallbacks* allocator; /* host memory of Vulkan objects; NULL: the driver's */
+  /* vkGetInstanceProcAddr and vkGetDeviceProcAddr; NULL: those of the machine's loader, opened when needed. */
+  hc_vk_function (*get_instance_proc_addr)(struct VkInstance_T*, const char*);
+  hc_vk_function (*get_device_proc_addr)(struct VkDevice_T*, const char*);
+  const char* pipeline_cache; /* a file that keeps compiled pipelines, UTF-8; NULL: none */
+  uint64_t max_device_bytes;  /* of memory all tables and bindings may hold; 0: all there is */
+} hc_vulkan_device;
+
+typedef struct hc_vulkan hc_vulkan;
+/* Errors: NO_DEVICE, UNSUPPORTED (also of a library without Vulkan), INVALID_ARGUMENT, OUT_OF_MEMORY. Any thread. */
+HC_API hc_status hc_vulkan_create(hc_context* context, const hc_vulkan_device* device, hc_vulkan** vulkan);
+HC_API void hc_vulkan_destroy(hc_vulkan* vulkan);
+
+/* hc_points without the buffer; of length 0 x y z packed (of normals: none). */
+typedef struct hc_layout {
+  int32_t offset, length, stride;
+} hc_layout;
+
+typedef struct hc_vulkan_table_options {
+  size_t struct_size;
+  int32_t level; /* 0: the last */
+  int32_t tiled; /* not 0: one dispatch for all levels, a workgroup a tile; tiles are built for the device */
+  hc_layout control, refined;
+  hc_layout normals; /* of the tables' kind, at the last level; as hc_evaluate() has them, but exact ones without tiles
+                      * are written for vertices alone */
+} hc_vulkan_table_options;
+
+/* Tables on the device. Never changes. */
+typedef struct hc_vulkan_table hc_vulkan_table;
+/* Uploads. Where host and device share no memory, copies are submitted to the queue and waited for: nobody else may use
+ * it meanwhile. Errors: INVALID_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY, DEVICE_LOST. Any thread, one at a time a device. */
+HC_API hc_status hc_vulkan_table_create(hc_vulkan* vulkan, const hc_tables* tables,
+                                        const hc_vulkan_table_options* options, hc_vulkan_table** table);
+HC_API void hc_vulkan_table_destroy(hc_vulkan_table* table);
+
+typedef struct hc_vulkan_sizes {
+  size_t struct_size;
+  uint64_t control, refined, normals; /* bytes that the caller's buffers need; 0: not touched */
+  uint64_t table;                     /* bytes of device memory that the tables take */
+} hc_vulkan_sizes;
+/* sizes->struct_size is set by the caller. Any thread. */
+HC_API hc_status hc_vulkan_table_get_sizes(const hc_vulkan_table* table, hc_vulkan_sizes* sizes);
+
+/* Part of a storage buffer of the caller's, from a multiple of minStorageBufferOffsetAlignment. */
+typedef struct hc_vulkan_range {
+  hc_vk_buffer buffer;
+  uint64_t offset, size; /* bytes */
+} hc_vulkan_range;
+typedef struct hc_vulkan_targets {
+  size_t struct_size;
+  hc_vulkan_range control, refined, normals; /* apart from each other; those of size 0 in hc_vulkan_sizes: zeros */
+} hc_vulkan_targets;
+
+/* Descriptor sets and scratch memory for a table on some buffers; one for each frame in flight. Lives until what was
+ * recorded with it has run. */
+typedef struct hc_vulkan_binding hc_vulkan_binding;
+/* Any thread. */
+HC_API hc_status hc_vulkan_binding_create(const hc_vulkan_table* table, const hc_vulkan_targets* targets,
+                                          hc_vulkan_binding** binding);
+HC_API void hc_vulkan_binding_destroy(hc_vulkan_binding* binding);
+
+/* Records the dispatches; never submits, waits or allocates. The command buffer is in the recording state outside a
+ * render pass and loses its compute pipeline, descriptor set 0 and push constants. Waits for COMPUTE_SHADER /
+ * SHADER_WRITE before it on the queue; the caller makes copied control points visible to COMPUTE_SHADER / SHADER_READ
+ * (what the host wrote before the submission is), and what is written, by COMPUTE_SHADER / SHADER_WRITE, to its
+ * readers: no barrier is left behind. Any thread, as vkCmdDispatch(). */
+HC_API hc_status hc_vulkan_record(const hc_vulkan_binding* binding, struct VkCommandBuffer_T* commands);
+
 #ifdef __cplusplus
 }
 #endif
-
 #endif

@@ -145,6 +145,9 @@ int main(int count, char** arguments) {
   test_meshes(arguments[1]);
   test_tables();
   test_evaluation();
+#ifdef HONEYCOMB_WITHOUT_VULKAN
+  test_vulkan_absent();
+#endif
   if (failures > 0) fprintf(stderr, "%d checks failed\n", failures);
   return failures > 0;
 }

@@ -1,5 +1,5 @@
-# cmake -DNM= -DLIBRARY= -DPROGRAM= -DHEADER= -P exports.cmake: the library exports the functions of the header and nothing
-# else, and the program calls all of them.
+# cmake -DNM= -DLIBRARY= -DPROGRAMS= -DHEADER= -P exports.cmake: the library exports the functions of the header and nothing
+# else, and the programs together call all of them.
 function(names output pattern text)
   string(REGEX MATCHALL "${pattern}" found "${text}")
   list(TRANSFORM found REPLACE ".*(hc_[a-z_]+).*" "\\1")
@@ -24,6 +24,10 @@ if(lines)
 endif()
 names(exported "hc_[a-z_]+" "${exported}")
 must_be_equal("the library exports" "${exported}" "${declared}")
-execute_process(COMMAND ${NM} -D --undefined-only ${PROGRAM} OUTPUT_VARIABLE called COMMAND_ERROR_IS_FATAL ANY)
+set(called "")
+foreach(program IN LISTS PROGRAMS)
+  execute_process(COMMAND ${NM} -D --undefined-only ${program} OUTPUT_VARIABLE undefined COMMAND_ERROR_IS_FATAL ANY)
+  string(APPEND called "${undefined}")
+endforeach()
 names(called "hc_[a-z_]+" "${called}")
-must_be_equal("the program calls" "${called}" "${declared}")
+must_be_equal("the programs call" "${called}" "${declared}")

@@ -19,10 +19,30 @@ target_compile_options(c_api_test PRIVATE ${c99})
 target_link_libraries(c_api_test PRIVATE honeycomb::c honeycomb_sanitize m)
 add_dependencies(tests_all c_api_test)
 add_test(NAME c_api_test COMMAND c_api_test ${CMAKE_CURRENT_BINARY_DIR})
+set(capi_programs $<TARGET_FILE:c_api_test>)
+if(HONEYCOMB_VULKAN)
+  add_executable(c_vulkan_test
+    ${CMAKE_CURRENT_LIST_DIR}/c_vulkan_test.c
+    ${CMAKE_CURRENT_LIST_DIR}/engine_c.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/../vulkan/engine.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/../vulkan/lsan_suppressions.cpp)
+  set_target_properties(c_vulkan_test PROPERTIES UNITY_BUILD OFF)
+  target_compile_options(c_vulkan_test PRIVATE $<$<COMPILE_LANGUAGE:C>:${c99}>)
+  target_include_directories(c_vulkan_test SYSTEM PRIVATE ${HONEYCOMB_VULKAN_INCLUDE})
+  target_link_libraries(c_vulkan_test PRIVATE honeycomb::c honeycomb_compile honeycomb_sanitize ${CMAKE_DL_LIBS})
+  add_dependencies(tests_all c_vulkan_test)
+  add_dependencies(tests_vulkan c_vulkan_test)
+  add_test(NAME c_vulkan_test COMMAND c_vulkan_test)
+  set_tests_properties(c_vulkan_test PROPERTIES LABELS vulkan)
+  list(APPEND capi_programs $<TARGET_FILE:c_vulkan_test>)
+else()
+  target_sources(c_api_test PRIVATE ${CMAKE_CURRENT_LIST_DIR}/vulkan_absent.c)
+  target_compile_definitions(c_api_test PRIVATE HONEYCOMB_WITHOUT_VULKAN)
+endif()
 
-# No function of the library that the program doesn't call, and none beside those of the header.
+# No function of the library that the programs don't call, and none beside those of the header.
 add_test(NAME c_api_exports COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} -DLIBRARY=$<TARGET_FILE:honeycomb_c>
-  -DPROGRAM=$<TARGET_FILE:c_api_test> -DHEADER=${PROJECT_SOURCE_DIR}/capi/include/honeycomb.h
+  "-DPROGRAMS=${capi_programs}" -DHEADER=${PROJECT_SOURCE_DIR}/capi/include/honeycomb.h
   -P ${CMAKE_CURRENT_LIST_DIR}/exports.cmake)
 
 # The header and the program by every C compiler there is, as C99, C11 and C++.

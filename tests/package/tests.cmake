@@ -17,7 +17,7 @@ function(example_test name expected)
     ${PROJECT_SOURCE_DIR}/examples/${name} ${CMAKE_CURRENT_BINARY_DIR}/package/${name}
     --build-generator ${CMAKE_GENERATOR} --build-noclean
     --build-options -DCMAKE_PREFIX_PATH=${moved} -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-                    "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Werror"
+                    "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wpedantic -Werror" "-DCMAKE_C_FLAGS=-std=c99 -Wall -Wextra -Wpedantic -Werror"
     --test-command ./${name} ${ARGN})
   set_tests_properties(example_${name} PROPERTIES PASS_REGULAR_EXPRESSION "${expected}"
                                                   FAIL_REGULAR_EXPRESSION "VUID|SYNC-HAZARD|NOT the CPU's")
@@ -34,6 +34,10 @@ set_tests_properties(package_pkg_config PROPERTIES PASS_REGULAR_EXPRESSION "72 f
 package_test(package_debian ${script}/debian.sh ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/package/debian
              ${CMAKE_INSTALL_DATADIR})
 
+package_test(package_pkg_config_c ${script}/pkg_config_c.sh ${moved} ${moved}/${CMAKE_INSTALL_LIBDIR}
+             ${PROJECT_SOURCE_DIR}/examples/c_playback/main.c)
+set_tests_properties(package_pkg_config_c PROPERTIES PASS_REGULAR_EXPRESSION "frame 2: checksum")
+example_test(c_playback "4608 vertices.*frame 2: checksum")
 example_test(cpu_playback "72 frames, .* ms each" ${assets}/creature.obj ${assets}/creature.pc2 2)
 if(TARGET honeycomb::osd_vulkan)
   example_test(vulkan_app "frame 2: 648 points, checksum [0-9a-f]+, the same as the CPU's")
