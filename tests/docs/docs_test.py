@@ -122,6 +122,12 @@ class Options(unittest.TestCase):
             for value in listed.group(1).split(", "):
                 self.assertRegex(spans, rf"(?<![\w-]){value}(?![\w-])", f"no page names {value} of {command} {option}")
 
+    def test_schemes_of_the_readme_are_those_of_the_help(self):
+        table = (ROOT / "README.md").read_text(encoding="utf-8").partition("## Schemes")[2].partition("\n## ")[0]
+        rows = [re.findall(r"`([\w-]+)`", row.split("|")[1]) for row in table.splitlines() if row.startswith("| `")]
+        listed = re.search(r"--scheme .*?: ([\w-]+(?:, [\w-]+)+)", self.help["honeycomb refine"])
+        self.assertEqual(listed.group(1).split(", "), sum(rows[1:], []), "the table of schemes")
+
 
 class Blocks(unittest.TestCase):
     def test_run_or_say_why_not(self):
@@ -143,20 +149,23 @@ class Blocks(unittest.TestCase):
                     self.run_blocks(blocks, pathlib.Path(folder))
 
     def run_blocks(self, blocks, folder):
-        """A page's blocks, one after another in one shell, in a folder that looks like a built repository."""
+        """A page's blocks, one after another in one shell, in a folder that looks like a built repository with the
+        reader's own files in it; `honeycomb` is on the path."""
         for name in ("assets", "bench"):
             (folder / name).symlink_to(ROOT / name)
         (folder / "build").mkdir()
         (folder / "build/release").symlink_to(BUILD)
+        for name in ("creature.obj", "creature.pc2"):
+            (folder / name).symlink_to(ROOT / "assets" / name)
         scenes.write_soldier(folder / "soldier.gltf")
         scenes.write_cloth(folder)
         script = "set -euo pipefail; trap 'echo \"$block: failed: $BASH_COMMAND\" >&2' ERR\n"
         script += "bin=build/release/apps/cli/honeycomb\n"
         script += "".join(f"block={block.place}\n{block.runnable()}\n" for block in blocks)
         script += "echo all of it"
-        environment = {**os.environ, "XDG_CACHE_HOME": str(folder / "cache"), "OMPI_ALLOW_RUN_AS_ROOT": "1",
-                       "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-                       "PYTHONDONTWRITEBYTECODE": "1"}
+        environment = {**os.environ, "PATH": f"{HONEYCOMB.parent}:{os.environ['PATH']}", "PYTHONDONTWRITEBYTECODE": "1",
+                       "XDG_CACHE_HOME": str(folder / "cache"), "OMPI_MCA_rmaps_base_oversubscribe": "1",
+                       "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
         done = subprocess.run(["timeout", "200", "bash", "-c", script], cwd=folder, env=environment, capture_output=True, text=True,
                               check=False, stdin=subprocess.DEVNULL)
         self.assertEqual(0, done.returncode, done.stderr[-2000:])

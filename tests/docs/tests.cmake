@@ -15,7 +15,7 @@ execute_process(COMMAND ${docs_python} ${CMAKE_CURRENT_LIST_DIR}/extract_code.py
 
 honeycomb_test(docs_code_test
   SOURCES ${docs_code}/fragments.cpp
-  LIBRARIES honeycomb::osd)
+  LIBRARIES honeycomb::osd honeycomb::io)
 # Fragments show what there is, and leave it at that.
 target_compile_options(docs_code_test PRIVATE -Wno-unused -Wno-shadow)
 
