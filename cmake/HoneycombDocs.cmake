@@ -1,4 +1,4 @@
-# The target `docs`: the reference of the public headers, which are those that get installed, as HTML in
+# The target `docs`: the reference of the public C++ headers, which are those that get installed, as HTML in
 # docs/html of the build folder. It fails where a header leaves something undescribed.
 find_package(Doxygen QUIET)
 find_package(Python3 COMPONENTS Interpreter QUIET)
