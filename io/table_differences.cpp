@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <map>
+#include <string_view>
 
 #include "far/base/index.h"
 #include "io/table_file.h"
@@ -7,9 +9,12 @@ namespace honeycomb::Io {
 
 namespace {
 
-const TableSection* sectionOf(const TableFile& file, const std::string& name) {
-  const auto found = std::ranges::find(file.sections(), name, &TableSection::name);
-  return found == file.sections().end() ? nullptr : &*found;
+using SectionsByName = std::map<std::string_view, const TableSection*>;
+
+SectionsByName byName(const TableFile& file) {
+  SectionsByName sections;
+  for (const TableSection& section : file.sections()) sections.emplace(section.name, &section);
+  return sections;
 }
 
 /// The first element that differs; -1 if none does.
@@ -24,17 +29,18 @@ std::int64_t firstDifferent(const TableSection& a, const TableSection& b) {
 
 std::vector<TableDifference> differences(const TableFile& first, const TableFile& second) {
   std::vector<TableDifference> found;
+  const SectionsByName ofFirst = byName(first), ofSecond = byName(second);
   for (const TableSection& section : first.sections()) {
-    const TableSection* other = sectionOf(second, section.name);
-    if (other == nullptr) {
+    const auto other = ofSecond.find(section.name);
+    if (other == ofSecond.end()) {
       found.push_back({section.name, -1, true, false});
       continue;
     }
-    const std::int64_t element = firstDifferent(section, *other);
+    const std::int64_t element = firstDifferent(section, *other->second);
     if (element >= 0) found.push_back({section.name, element});
   }
   for (const TableSection& section : second.sections()) {
-    if (sectionOf(first, section.name) == nullptr) found.push_back({section.name, -1, false, true});
+    if (!ofFirst.contains(section.name)) found.push_back({section.name, -1, false, true});
   }
   return found;
 }

@@ -60,10 +60,8 @@ Result<void> checkPlace(const TableEntry& entry, std::uint64_t end, std::uint64_
 }  // namespace
 
 const TableEntry* TableDirectory::find(TableArray kind, std::uint32_t table) const {
-  const auto found = std::ranges::find_if(entries, [&](const TableEntry& entry) {
-    return entry.kind == static_cast<std::uint32_t>(kind) && entry.table == table;
-  });
-  return found == entries.end() ? nullptr : &*found;
+  const auto found = places.find({static_cast<std::uint32_t>(kind), table});
+  return found == places.end() ? nullptr : &entries[found->second];
 }
 
 std::string sectionName(const TableEntry& entry) {
@@ -92,7 +90,7 @@ Result<TableDirectory> readDirectory(std::span<const std::byte> bytes, const std
   const auto directory = bytes.subspan(sizeof(TableHeader), header->sectionCount * sizeof(TableEntry));
   if (checksum(directory) != header->directoryChecksum)
     return unsound(name, "its directory is damaged; {}", kBuildAgain);
-  TableDirectory result{*header, {}};
+  TableDirectory result{*header, {}, {}};
   std::uint64_t end = sizeof(TableHeader) + directory.size();
   for (std::size_t i = 0; i < header->sectionCount; ++i) {
     TableEntry entry;
@@ -104,7 +102,7 @@ Result<TableDirectory> readDirectory(std::span<const std::byte> bytes, const std
       return unsound(name, "section {} needs a reader of version {}, this is {}; use a newer honeycomb, or {}",
                      sectionName(entry), entry.neededVersion, reader, kBuildAgain);
     }
-    if (result.find(static_cast<TableArray>(entry.kind), entry.table) != nullptr)
+    if (!result.places.try_emplace({entry.kind, entry.table}, result.entries.size()).second)
       return unsound(name, "has section {} twice; {}", sectionName(entry), kBuildAgain);
     result.entries.push_back(entry);
   }

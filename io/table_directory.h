@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "far/base/result.h"
@@ -15,6 +17,9 @@ namespace honeycomb::Io {
 struct TableDirectory {
   TableHeader header;
   std::vector<TableEntry> entries;  ///< those of kinds that this reader knows, in the order of the file
+
+  /// The number of each entry, by kind and table.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> places;
 
   /// Null where there is no such section.
   const TableEntry* find(TableArray kind, std::uint32_t table) const;

@@ -59,11 +59,11 @@ struct TableMesh {
 
 /// One array of a table file.
 struct TableSection {
-  std::string name;          ///< "level 3 indices"
-  std::uint64_t offset = 0;  ///< in the file, bytes
-  std::span<const std::byte> bytes;
-  std::int64_t count = 0;  ///< elements
-  std::uint64_t checksum = 0;
+  std::string name;                  ///< "level 3 indices"
+  std::uint64_t offset = 0;          ///< in the file, bytes
+  std::span<const std::byte> bytes;  ///< of the mapping
+  std::int64_t count = 0;            ///< elements
+  std::uint64_t checksum = 0;        ///< XXH3 that its bytes should have
 };
 
 /// A table file, mapped and used in place: no array is copied. Copies share the mapping; tables live as long as one of
@@ -120,9 +120,10 @@ class TableFile {
 
 /// A section of two files that isn't the same.
 struct TableDifference {
-  std::string section;
+  std::string section;        ///< TableSection::name
   std::int64_t element = -1;  ///< the first that differs, or the shorter one's size; -1: one file hasn't the section
-  bool inFirst = true, inSecond = true;
+  bool inFirst = true;        ///< has the first file the section?
+  bool inSecond = true;       ///< has the second?
 };
 
 /// The sections that differ, in the order of the files. Linear.

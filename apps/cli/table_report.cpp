@@ -104,24 +104,25 @@ Result<void> tableDiff(const std::string& first, const std::string& second, cons
                           found.empty() ? "their control mesh" : counted(std::ssize(found), "section")));
 }
 
+/// A subcommand that takes one table file.
+void addOfFile(CLI::App& table, Command& command, const std::string& name, const std::string& help,
+               Result<void> (*act)(const std::string&, const Session&)) {
+  const auto file = std::make_shared<std::string>();
+  CLI::App* subcommand = table.add_subcommand(name, help);
+  subcommand->add_option("FILE", *file, "Table file (.hct)")->required();
+  addSessionOptions(*subcommand, command.session);
+  subcommand->callback(
+      [file, act, &command] { command.action = [file, act](const Session& session) { return act(*file, session); }; });
+}
+
 }  // namespace
 
 void addTableInfo(CLI::App& table, Command& command) {
-  const auto file = std::make_shared<std::string>();
-  CLI::App* subcommand = table.add_subcommand("info", "What a table file has, section by section");
-  subcommand->add_option("FILE", *file, "Table file (.hct)")->required();
-  addSessionOptions(*subcommand, command.session);
-  subcommand->callback(
-      [file, &command] { command.action = [file](const Session& session) { return tableInfo(*file, session); }; });
+  addOfFile(table, command, "info", "What a table file has, section by section", tableInfo);
 }
 
 void addTableCheck(CLI::App& table, Command& command) {
-  const auto file = std::make_shared<std::string>();
-  CLI::App* subcommand = table.add_subcommand("check", "Compare all checksums and prove all indices of a table file");
-  subcommand->add_option("FILE", *file, "Table file (.hct)")->required();
-  addSessionOptions(*subcommand, command.session);
-  subcommand->callback(
-      [file, &command] { command.action = [file](const Session& session) { return tableCheck(*file, session); }; });
+  addOfFile(table, command, "check", "Compare all checksums and prove all indices of a table file", tableCheck);
 }
 
 void addTableDiff(CLI::App& table, Command& command) {

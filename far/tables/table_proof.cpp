@@ -216,13 +216,19 @@ Result<void> proveIndices(const LevelTable& table) {
 Result<void> proveShape(const LimitRows& rows) {
   if (rows.weights.size() != rows.weightsSingle.size())
     return broken("there are {} weights, and {} rounded ones", rows.weights.size(), rows.weightsSingle.size());
+  std::int64_t indices = 0, elements = 0;
   for (std::size_t i = 0; i < rows.batches.size(); ++i) {
     const FrameBatch& batch = rows.batches[i];
     if (batch.sides < 0 || batch.count < 0) return broken("batch {} has no such sides", i);
+    indices += std::int64_t{batch.count} * batch.sides;
+    elements += batch.count;
     if (!liesWithin(batch.firstIndex, std::int64_t{batch.count} * batch.sides, std::ssize(rows.indices)) ||
         !liesWithin(batch.firstElement, batch.count, std::ssize(rows.elements)) ||
         !liesWithin(batch.firstWeight, 3 * std::int64_t{batch.sides}, std::ssize(rows.weights)))
       return broken("batch {} reads past its arrays", i);
+    // Batches that share their elements would take more time than the table's size justifies.
+    if (indices > std::ssize(rows.indices) || elements > std::ssize(rows.elements))
+      return broken("batch {} and those before have more elements than there are", i);
   }
   return {};
 }

@@ -8,8 +8,8 @@
 #include "far/tables/limit_table.h"
 
 /// Proofs that no evaluator leaves the arrays of a table, or of its points, whatever stands in it: for tables that come
-/// from somewhere else, such as a file; and that what evaluating it takes is in proportion to its size. That each point
-/// is written once, and that weights make sense, is not proven.
+/// from somewhere else, such as a file; and that the time and memory of evaluating it are in proportion to its size.
+/// That each point is written once, and that weights make sense, is not proven.
 ///
 /// A proof is two steps. The shape is what follows from batches and sizes: in time linear in the batches, without a
 /// look at the long arrays. The indices are these: linear, in parallel, as fast as memory is read; of a table whose

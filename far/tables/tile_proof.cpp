@@ -36,8 +36,12 @@ bool areTilePoints(std::span<const TilePoint> points, std::int32_t count) {
 /// is read there.
 class TileProof {
  public:
-  TileProof(const TileTable& table, std::int32_t sharedPoints)
-      : table_(table), sharedPoints_(sharedPoints), exact_(table.normalKind == TileNormalKind::exact) {}
+  /// `faceEnds`: where the normals of a step's points end at the latest, one a step; of fast normals.
+  TileProof(const TileTable& table, std::int32_t sharedPoints, std::span<const std::int64_t> faceEnds)
+      : table_(table),
+        sharedPoints_(sharedPoints),
+        faceEnds_(faceEnds),
+        exact_(table.normalKind == TileNormalKind::exact) {}
 
   const char* wrongWith(std::size_t number) const {
     const Tile& tile = table_.tiles[number];
@@ -143,7 +147,7 @@ class TileProof {
     }
     if (count > range.normalCount || range.normalCount > normals.largestTile) return "it has too many normals";
     for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
-      if (normals.firstFace[at(s)] >= 0 && !areSums(table_.steps[at(s)], normals.firstFace[at(s)], range.normalCount))
+      if (normals.firstFace[at(s)] >= 0 && !areSums(at(s), range.normalCount))
         return "a point sums normals that the tile hasn't";
     }
     return nullptr;
@@ -160,22 +164,24 @@ class TileProof {
            areTilePoints(indices.subspan(at(frames.firstIndex), at(read)), points);
   }
 
-  /// The normals that the last level's points of a step sum, from `first` on.
-  bool areSums(const TileStep& step, std::int32_t first, std::int32_t normalCount) const {
+  /// The normals that the last level's points of a step sum.
+  bool areSums(std::size_t number, std::int32_t normalCount) const {
     const auto& faces = table_.normals.faces;
+    const TileStep& step = table_.steps[number];
+    const std::int32_t first = table_.normals.firstFace[number];
+    const std::int64_t end = faceEnds_[number];
     const std::int32_t last = step.level + step.stageCount - 1;
     if (last != table_.lastLevel || table_.stages[at(step.firstStage + step.stageCount - 1)].firstOutput < 0)
       return false;
     const auto areNormals = [&](std::int64_t from, std::int64_t count) {
-      return liesWithin(from, count, std::ssize(faces)) &&
-             areTilePoints(std::span(faces).subspan(at(from), at(count)), normalCount);
+      return liesWithin(from, count, end) && areTilePoints(std::span(faces).subspan(at(from), at(count)), normalCount);
     };
     if (step.kind == TileStep::Kind::circulant) {
       return areNormals(first, step.count * (1 + std::int64_t{step.width} * table_.normals.neighbours));
     }
     std::int64_t place = first;
     for (std::int32_t r = 0; r < step.count; ++r) {
-      if (place >= std::ssize(faces) || !areNormals(place + 1, faces[at(place)])) return false;
+      if (place >= end || !areNormals(place + 1, faces[at(place)])) return false;
       place += 1 + faces[at(place)];
     }
     return true;
@@ -198,6 +204,7 @@ class TileProof {
 
   const TileTable& table_;
   std::int32_t sharedPoints_;
+  std::span<const std::int64_t> faceEnds_;
   bool exact_;
 };
 
@@ -223,6 +230,66 @@ Result<void> proveFrame(const TileTable& tiles, const LevelTables& levels) {
   if (const std::int64_t i = firstOutside(tiles.written, tiles.pointCount.back()); i >= 0)
     return unsoundTiles("point {} in their order isn't there", i);
   return {};
+}
+
+/// Adds what parts of a table take of an array that they don't share.
+class Share {
+ public:
+  explicit Share(std::size_t size) : left_(static_cast<std::int64_t>(size)) {}
+  void take(std::int64_t count) {
+    if (left_ >= 0 && count > 0) left_ = count > left_ ? -1 : left_ - count;
+  }
+  bool suffices() const { return left_ >= 0; }
+
+ private:
+  std::int64_t left_;
+};
+
+/// Tiles, steps and frames that shared their parts would take more time than the table's size justifies.
+Result<void> proveTotals(const TileTable& tiles) {
+  Share imports(tiles.imports.size()), steps(tiles.steps.size()), stages(tiles.stages.size()), rows(tiles.rows.size()),
+      indices(tiles.indices.size());
+  for (const Tile& tile : tiles.tiles) {
+    imports.take(tile.importCount);
+    steps.take(tile.stepCount);
+  }
+  for (const TileStep& step : tiles.steps) {
+    stages.take(step.stageCount);
+    const bool loose = step.kind == TileStep::Kind::loose;
+    (loose ? rows : indices).take(loose ? step.count : std::int64_t{step.count} * step.width);
+  }
+  for (const TileRow& row : tiles.rows) indices.take(row.entries);
+  const TileNormals& normals = tiles.normals;
+  Share normalImports(normals.imports.size()), frames(normals.frames.size()), corners(normals.indices.size());
+  for (const TileNormalRange& range : normals.tiles) {
+    normalImports.take(range.importCount);
+    frames.take(range.framesCount);
+  }
+  for (const TileFrames& some : normals.frames) corners.take(std::int64_t{some.count} * some.sides);
+  Share exactFrames(tiles.limits.frames.size()), points(tiles.limits.indices.size());
+  for (const TileLimits::Range& range : tiles.limits.tiles) exactFrames.take(range.framesCount);
+  for (const TileVertexFrames& some : tiles.limits.frames)
+    points.take(std::int64_t{some.count} * std::min(some.each, kLargestCirculant) *
+                std::min(some.sides, kMostTilePoints));
+  for (const Share& share :
+       {imports, steps, stages, rows, indices, normalImports, frames, corners, exactFrames, points}) {
+    if (!share.suffices()) return unsoundTiles("they take more of their arrays than there is");
+  }
+  return {};
+}
+
+/// Where the normals of each step's points end at the latest: where those of the next step begin. Empty where they
+/// don't ascend.
+std::vector<std::int64_t> faceEnds(const TileNormals& normals) {
+  std::vector<std::int64_t> ends(normals.firstFace.size());
+  std::int64_t end = std::ssize(normals.faces);
+  for (std::size_t s = ends.size(); s-- > 0;) {
+    ends[s] = end;
+    if (normals.firstFace[s] < 0) continue;
+    if (normals.firstFace[s] > end) return {};
+    end = normals.firstFace[s];
+  }
+  return ends;
 }
 
 /// What is evaluated before the tiles. Returns how many points that are.
@@ -295,13 +362,16 @@ Result<void> proveSharedLimits(const TileTable& tiles, std::int32_t sharedPoints
 
 Result<void> proveTiles(const TileTable& tiles, LevelTables levels) {
   if (auto sound = proveFrame(tiles, levels); !sound) return sound;
+  if (auto sound = proveTotals(tiles); !sound) return sound;
   const Result<std::int32_t> shared = proveShared(tiles);
   if (!shared) return tl::unexpected(shared.error());
   Result<void> sound;
   if (tiles.normalKind == TileNormalKind::fast) sound = proveSharedNormals(tiles, *shared);
   if (tiles.normalKind == TileNormalKind::exact) sound = proveSharedLimits(tiles, *shared);
   if (!sound) return sound;
-  const TileProof proof(tiles, *shared);
+  const std::vector<std::int64_t> ends = faceEnds(tiles.normals);
+  if (ends.size() != tiles.normals.firstFace.size()) return unsoundTiles("their points' normals are out of order");
+  const TileProof proof(tiles, *shared, ends);
   std::vector<const char*> wrong(tiles.tiles.size(), nullptr);
   Parallel::forEach(
       0, std::ssize(wrong), [&](std::int64_t t) { wrong[at(t)] = proof.wrongWith(at(t)); }, kTilesPerProof);

@@ -174,6 +174,14 @@ TEST(TableFaults, ATileReadsNoPointThatItHasnt) {
   EXPECT_THAT(messageOf(bytes), HasSubstr("tiles: tile 0: a step reads a point that the tile hasn't"));
 }
 
+TEST(TableFaults, TilesShareNoSteps) {
+  Bytes bytes = smallTable();
+  const std::size_t tiles = placeOf(bytes, "tiles");
+  ASSERT_GT(placeOf(bytes, "tileSteps") - tiles, sizeof(Far::Tile) + 64) << "two tiles at least";
+  std::memcpy(bytes.data() + tiles + sizeof(Far::Tile), bytes.data() + tiles, sizeof(Far::Tile));
+  EXPECT_THAT(messageOf(bytes), HasSubstr("tiles: they take more of their arrays than there is"));
+}
+
 TEST(TableFaults, HugeCountsAllocateNothing) {
   for (const std::uint64_t count : {std::uint64_t{1} << 31U, std::uint64_t{1} << 40U, ~std::uint64_t{0}}) {
     Bytes bytes = smallTable();
