@@ -1,13 +1,10 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "far/conversions/conversions.h"
@@ -18,15 +15,12 @@
 #include "far/tables/refinement.h"
 #include "far/tables/stencil_table.h"
 #include "far/tables/tile_table.h"
-#include "io/table_file.h"
 #include "osd/cpu_evaluator.h"
 #include "osd/tile_evaluator.h"
-#include "tests/support/must.h"
 
 using namespace honeycomb;
 
-/// What the C++ fragments of the pages take for granted: the reader's mesh, here a cube, room for its level 4, and the
-/// table file of these levels, creature.hct in the working folder.
+/// What the C++ fragments of the pages take for granted: the reader's mesh, here a cube, and room for its level 4.
 class Documentation : public testing::Test {
  protected:
   Documentation() {
@@ -38,13 +32,6 @@ class Documentation : public testing::Test {
     for (const float z : {0.0f, 1.0f}) {
       for (const float y : {0.0f, 1.0f}) control.insert(control.end(), {0, y, z, 1, y, z});
     }
-    std::string pattern = (std::filesystem::temp_directory_path() / "honeycomb-docs-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-    std::filesystem::current_path(folder_);
-    const Far::Refinement refinement = honeycomb::Test::must(Far::refine(
-        honeycomb::Test::must(Far::Topology::create(polygons)), honeycomb::Test::must(Far::akleman()), kLevels));
-    const Io::TableInfo info{Io::meshHash(polygons), 8, 6, std::vector<std::string>(kLevels, "akleman"), {}};
-    honeycomb::Test::must(Io::writeTableFile("creature.hct", {refinement, nullptr, info}));
   }
 
   /// A fragment that writes points writes all of them.
@@ -52,17 +39,11 @@ class Documentation : public testing::Test {
     const auto unwritten = std::count_if(refined.begin(), refined.end(), [](float x) { return std::isnan(x); });
     EXPECT_TRUE(unwritten == 0 || unwritten == static_cast<std::ptrdiff_t>(refined.size()))
         << unwritten << " of " << refined.size() << " coordinates";
-    std::filesystem::current_path(folder_.parent_path());
-    std::filesystem::remove_all(folder_);
   }
 
-  static constexpr std::int32_t kLevels = 4;
   static constexpr std::size_t kVertices = 648;  // 2 * 12 * 3^3
 
   Far::Polygons polygons;
   std::vector<float> control;  // x y z of its 8 vertices
   std::vector<float> refined = std::vector<float>(kVertices * 3, std::numeric_limits<float>::quiet_NaN());
-
- private:
-  std::filesystem::path folder_;
 };

@@ -15,7 +15,7 @@ execute_process(COMMAND ${docs_python} ${CMAKE_CURRENT_LIST_DIR}/extract_code.py
 
 honeycomb_test(docs_code_test
   SOURCES ${docs_code}/fragments.cpp
-  LIBRARIES honeycomb::osd honeycomb::io)
+  LIBRARIES honeycomb::osd)
 # Fragments show what there is, and leave it at that.
 target_compile_options(docs_code_test PRIVATE -Wno-unused -Wno-shadow)
 
@@ -24,7 +24,7 @@ foreach(source IN LISTS docs_programs)
   cmake_path(GET source STEM program)
   honeycomb_program(docs_${program} ${source})
   target_link_libraries(docs_${program} PRIVATE honeycomb::osd honeycomb::io)
-  add_test(NAME docs_${program} COMMAND docs_${program})
+  add_test(NAME docs_${program} COMMAND docs_${program} WORKING_DIRECTORY ${docs_code})
   add_dependencies(tests_all docs_${program})
 endforeach()
 
