@@ -43,7 +43,7 @@ constexpr BackendChoice kBackends[]{
     {Threads::one, Instructions::vectors, true},  {Threads::all, Instructions::vectors, true}};
 
 bool tiled(const hc_evaluator& evaluator, const hc_tables& tables) {
-  return kBackends[evaluator.backend].tiled && (evaluator.backend != HC_BACKEND_AUTO || tables.tiles);
+  return kBackends[evaluator.backend].tiled && (evaluator.backend != HC_BACKEND_AUTO || tables.tileTable() != nullptr);
 }
 
 /// One call of hc_evaluate().
@@ -58,14 +58,16 @@ struct Evaluation {
 
 Result<void> checkKinds(const Evaluation& evaluation) {
   const hc_tables& tables = evaluation.tables;
-  if (tiled(evaluation.evaluator, tables) && !tables.tiles)
+  if (tiled(evaluation.evaluator, tables) && tables.tileTable() == nullptr)
     return refuse("the tables have no tiles; create them with hc_tables_options.tiles, or take another backend");
   if (evaluation.normals == nullptr) return {};
   if (tables.normals == HC_NORMALS_NONE)
     return refuse("the tables have no normals; create them with hc_tables_options.normals, or give NULL for normals");
-  if (evaluation.level != tables.refinement.levelCount())
+  if (tables.normals == HC_NORMALS_FAST && !tiled(evaluation.evaluator, tables) && !tables.fastNormals)
+    return refuse("fast normals of a file are those of its tiles; take a tiled backend");
+  if (evaluation.level != tables.levelCount())
     return refuse(fmt::format("level {} has no normals, only the last, {}; evaluate that, or give NULL for normals",
-                              evaluation.level, tables.refinement.levelCount()));
+                              evaluation.level, tables.levelCount()));
   if (evaluation.control->length < 3 || evaluation.control->length > 4)
     return refuse(
         fmt::format("normals are of positions, but control points have length {}; give points of length 3 or "
@@ -77,9 +79,9 @@ Result<void> checkKinds(const Evaluation& evaluation) {
 }
 
 Result<void> check(const Evaluation& evaluation) {
-  const Far::Refinement& refinement = evaluation.tables.refinement;
-  const std::int64_t sources = refinement.level(0).pointCount();
-  const std::int64_t targets = refinement.level(evaluation.level).pointCount();
+  const Far::LevelTables levels = evaluation.tables.levels();
+  const std::int64_t sources = levels.pointCount(0);
+  const std::int64_t targets = levels.pointCount(evaluation.level);
   const hc_points_out* normals = evaluation.normals;
   if (const auto sound = checkBuffer(evaluation.control, sources, "control"); !sound) return sound;
   if (const auto sound = checkBuffer(evaluation.refined, targets, "refined"); !sound) return sound;
@@ -93,18 +95,18 @@ Result<void> check(const Evaluation& evaluation) {
   const auto apart =
       checkApart(extentOf(*evaluation.control, sources), extentOf(*evaluation.refined, targets), normalsExtent);
   if (!apart || !evaluation.evaluator.checked) return apart;
-  return checkFinite(*evaluation.control, sources, refinement.level(0).topology.vertexCount());
+  return checkFinite(*evaluation.control, sources, evaluation.tables.info.inputVertices);
 }
 
 /// Limit normals of the last level's vertices; central control vertices have none.
 Result<void> writeExactNormals(const Evaluation& evaluation) {
-  const Far::Level& last = evaluation.tables.refinement.last();
+  const hc_tables& tables = evaluation.tables;
   const Osd::PointsOut<float> refined = pointsOf(*evaluation.refined);
   const Osd::PointsOut<float> normals = pointsOf(*evaluation.normals);
   const Osd::Points<float> positions{refined.data, {refined.desc.offset, 3, refined.desc.stride}};
-  for (std::int64_t p = last.topology.vertexCount(); p < last.pointCount(); ++p)
+  for (std::int64_t p = tables.vertexCount(); p < tables.levels().pointCount(evaluation.level); ++p)
     std::fill_n(normals.data.data() + normals.desc.offset + p * normals.desc.stride, 3, 0.0F);
-  return evaluation.evaluator.levels.vertexLimits<float>(evaluation.tables.refinement.limits(), positions, {}, normals);
+  return evaluation.evaluator.levels.vertexLimits<float>(tables.levels().limits(), positions, {}, normals);
 }
 
 Result<void> evaluate(const Evaluation& evaluation) {
@@ -114,13 +116,13 @@ Result<void> evaluate(const Evaluation& evaluation) {
   if (tiled(evaluation.evaluator, tables)) {
     Osd::TileRequest<float> request;
     if (evaluation.normals != nullptr) request.normals = pointsOf(*evaluation.normals);
-    return evaluation.evaluator.tiles.evaluate<float>(tables.refinement, *tables.tiles, evaluation.level, control,
+    return evaluation.evaluator.tiles.evaluate<float>(tables.levels(), *tables.tileTable(), evaluation.level, control,
                                                       refined, request);
   }
   if (evaluation.normals != nullptr && tables.normals == HC_NORMALS_FAST)
-    return evaluation.evaluator.normals.evaluate<float>(tables.refinement, *tables.fastNormals, control, refined,
+    return evaluation.evaluator.normals.evaluate<float>(tables.levels(), *tables.fastNormals, control, refined,
                                                         pointsOf(*evaluation.normals));
-  const auto done = evaluation.evaluator.levels.evaluate<float>(tables.refinement, evaluation.level, control, refined);
+  const auto done = evaluation.evaluator.levels.evaluate<float>(tables.levels(), evaluation.level, control, refined);
   return done && evaluation.normals != nullptr ? writeExactNormals(evaluation) : done;
 }
 
@@ -133,14 +135,11 @@ struct LimitEvaluation {
   const hc_points_out* positions;
   const hc_points_out* normals;
 
-  std::int64_t results() const {
-    const Far::Topology& mesh = tables.refinement.last().topology;
-    return kind == HC_ELEMENT_VERTEX ? mesh.vertexCount() : mesh.faceCount();
-  }
+  std::int64_t results() const { return kind == HC_ELEMENT_VERTEX ? tables.vertexCount() : tables.faceCount(); }
 };
 
 Result<void> checkLimitBuffers(const LimitEvaluation& limits) {
-  const std::int64_t sources = limits.tables.refinement.last().pointCount();
+  const std::int64_t sources = limits.tables.levels().pointCount(limits.tables.levelCount());
   if (const auto sound = checkBuffer(limits.points, sources, "points"); !sound) return sound;
   const auto notPositions = [](std::int32_t length) {
     return refuse(fmt::format("limits are of positions, but there are points of length {}; give 3", length));
@@ -158,18 +157,18 @@ Result<void> checkLimitBuffers(const LimitEvaluation& limits) {
 }
 
 Result<void> check(const LimitEvaluation& limits) {
-  if (!limits.tables.limits) return refuse("the tables have no limits; create them with hc_tables_options.limits");
+  if (!limits.tables.hasLimits()) return refuse("the tables have no limits; create them with hc_tables_options.limits");
   if (limits.kind != HC_ELEMENT_VERTEX && limits.kind != HC_ELEMENT_FACE)
     return refuse(fmt::format("kind is {}; give HC_ELEMENT_VERTEX or HC_ELEMENT_FACE", limits.kind));
   if (limits.positions == nullptr && limits.normals == nullptr)
     return refuse("positions and normals are NULL; give at least one of them");
   const auto sound = checkLimitBuffers(limits);
   if (!sound || !limits.evaluator.checked) return sound;
-  return checkFinite(*limits.points, limits.tables.refinement.last().pointCount(), 0);
+  return checkFinite(*limits.points, limits.tables.levels().pointCount(limits.tables.levelCount()), 0);
 }
 
 Result<void> evaluate(const LimitEvaluation& limits) {
-  const Far::LimitTable& table = limits.tables.refinement.limits();
+  const Far::LimitTable& table = limits.tables.levels().limits();
   const Osd::Points<float> points = pointsOf(*limits.points);
   const Osd::PointsOut<float> positions = limits.positions ? pointsOf(*limits.positions) : Osd::PointsOut<float>{};
   const Osd::PointsOut<float> normals = limits.normals ? pointsOf(*limits.normals) : Osd::PointsOut<float>{};

@@ -71,7 +71,7 @@ Result<Chain::SchemeChain> chooseSteps(const hc_tables_options& options, const C
 /// What evaluators want besides the levels.
 Result<void> addNormals(hc_tables& tables, const hc_tables_options& options) {
   if (options.normals == HC_NORMALS_FAST) {
-    Result<Far::NormalTable> normals = Far::buildNormalTable(tables.refinement, tables.refinement.levelCount());
+    Result<Far::NormalTable> normals = Far::buildNormalTable(*tables.refinement, tables.levelCount());
     if (!normals) return tl::unexpected(normals.error());
     tables.fastNormals = std::move(*normals);
   }
@@ -82,7 +82,7 @@ Result<void> addNormals(hc_tables& tables, const hc_tables_options& options) {
   tile.normals = options.normals == HC_NORMALS_FAST    ? Far::TileNormalKind::fast
                  : options.normals == HC_NORMALS_EXACT ? Far::TileNormalKind::exact
                                                        : Far::TileNormalKind::none;
-  Result<Far::TileTable> tiles = Far::buildTileTable(tables.refinement, tile);
+  Result<Far::TileTable> tiles = Far::buildTileTable(*tables.refinement, tile);
   if (!tiles) {
     tiles.error().message += " (or set tiles to 0)";
     return tl::unexpected(tiles.error());
@@ -97,6 +97,15 @@ void noteConversion(const Context& context, const Chain::SchemeChain& chain) {
     context.say(HC_LOG_NOTE, fmt::format("{} of {} levels convert the mesh to one that the scheme can refine", more,
                                          chain.steps.size())
                                  .c_str());
+}
+
+/// What a table file says of its making.
+Io::TableInfo infoOf(const Far::Polygons& polygons, const Chain::SchemeChain& chain) {
+  return {Io::meshHash(polygons),
+          polygons.vertexCount,
+          static_cast<std::int32_t>(polygons.faceCount()),
+          Chain::stepNames(chain),
+          {}};
 }
 
 Result<hc_tables*> createTables(const ContextHandle& context, const hc_polygons* mesh, const hc_tables_options* given) {
@@ -121,11 +130,11 @@ Result<hc_tables*> createTables(const ContextHandle& context, const hc_polygons*
   Result<Far::Refinement> refinement =
       Far::refine(*control, chain->steps, {options->central_points != 0, limits, options->memory_limit});
   if (!refinement) return tl::unexpected(refinement.error());
-  hc_tables tables{context, std::move(*refinement), options->normals, limits, {}, {}};
+  hc_tables tables{context, std::move(*refinement), {}, options->normals, {}, {}, infoOf(*polygons, *chain)};
   if (const auto added = addNormals(tables, *options); !added) return tl::unexpected(added.error());
   noteConversion(*context, *chain);
-  return make<hc_tables>(context, std::move(tables.refinement), tables.normals, limits, std::move(tables.tiles),
-                         std::move(tables.fastNormals));
+  return make<hc_tables>(context, std::move(tables.refinement), std::nullopt, tables.normals, std::move(tables.tiles),
+                         std::move(tables.fastNormals), std::move(tables.info));
 }
 
 }  // namespace

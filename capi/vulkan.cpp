@@ -73,7 +73,7 @@ Far::TileNormalKind kindOf(hc_normals normals) {
 /// The level that is wanted. Errors: invalidOption.
 Result<std::int32_t> checkRequest(const hc_tables* tables, const hc_vulkan_table_options& options) {
   if (const auto there = checkLevel(tables, options.level); !there) return tl::unexpected(there.error());
-  const std::int32_t last = tables->refinement.levelCount();
+  const std::int32_t last = tables->levelCount();
   const std::int32_t level = options.level == 0 ? last : options.level;
   if (options.normals.length == 0) return level;
   if (tables->normals == HC_NORMALS_NONE)
@@ -82,19 +82,25 @@ Result<std::int32_t> checkRequest(const hc_tables* tables, const hc_vulkan_table
   return level;
 }
 
+/// Tiles for the device; those of a file are taken as they are.
 Result<Osd::VulkanTable> uploadTiles(Osd::VulkanEvaluator& evaluator, const hc_tables& tables, std::int32_t level,
                                      const hc_vulkan_table_options& options) {
+  Osd::VulkanTileOptions upload;
+  upload.control = descriptorOf(options.control);
+  upload.refined = descriptorOf(options.refined);
+  upload.level = level;
+  if (options.normals.length != 0) upload.normals = descriptorOf(options.normals);
+  if (!tables.refinement) {
+    if (tables.tileTable() == nullptr) return refuse("the file has no tiles; leave tiled at 0");
+    return evaluator.uploadTiles(tables.levels(), *tables.tileTable(), upload);
+  }
   Far::TileOptions tile;
   tile.scratchPoints = evaluator.tilePoints();
   tile.level = level;
   if (options.normals.length != 0) tile.normals = kindOf(tables.normals);
-  const Result<Far::TileTable> tiles = Far::buildTileTable(tables.refinement, tile);
+  const Result<Far::TileTable> tiles = Far::buildTileTable(*tables.refinement, tile);
   if (!tiles) return tl::unexpected(tiles.error());
-  Osd::VulkanTileOptions upload;
-  upload.control = descriptorOf(options.control);
-  upload.refined = descriptorOf(options.refined);
-  if (options.normals.length != 0) upload.normals = descriptorOf(options.normals);
-  return evaluator.uploadTiles(tables.refinement, *tiles, upload);
+  return evaluator.uploadTiles(tables.levels(), *tiles, upload);
 }
 
 Result<Osd::VulkanTable> uploadLevels(Osd::VulkanEvaluator& evaluator, const hc_tables& tables, std::int32_t level,
@@ -105,7 +111,7 @@ Result<Osd::VulkanTable> uploadLevels(Osd::VulkanEvaluator& evaluator, const hc_
   upload.lastLevel = level;
   if (options.normals.length != 0) upload.vertexLimits.normals = descriptorOf(options.normals);
   upload.normalKind = kindOf(tables.normals);
-  return evaluator.upload(tables.refinement, upload);
+  return tables.refinement ? evaluator.upload(*tables.refinement, upload) : evaluator.upload(tables.levels(), upload);
 }
 
 Result<hc_vulkan_table*> upload(hc_vulkan& vulkan, const hc_tables* tables, const hc_vulkan_table_options* given) {

@@ -1,20 +1,18 @@
-/* honeycomb.h: honeycomb subdivision of deforming meshes, for C99 and whoever speaks it. Needs nothing but this header
- * and libhoneycomb. docs/c_api.md is the page about it.
- *
- *     once a mesh      hc_tables_create() from polygons and the text of a scheme; index buffers and counts from the
- * tables every frame      hc_evaluate() on the CPU, or hc_vulkan_record() into a command buffer of yours
+/* honeycomb.h: honeycomb subdivision of deforming meshes, for C99 and whoever speaks it. Needs this header and
+ * libhoneycomb alone. docs/c_api.md is the page about it.
+ *     once a mesh   hc_tables_create() from polygons and the text of a scheme; counts and index buffers
+ *     every frame   hc_evaluate() on the CPU, or hc_vulkan_record() into a command buffer of yours
  *
  * Every function that can fail returns an hc_status, leaves its outputs alone when it fails and never throws, prints or
- * exits. Numbers of elements and levels count from 0; indices are 32-bit; coordinates are float.
+ * exits. Elements and levels are numbered from 0; indices are 32-bit; coordinates are float.
  *
  * Structs that may grow begin with struct_size: set it to sizeof(the struct), and what you don't name to 0, which is
  * every option's default. A library that is newer than the program reads what the program knows; an older one refuses
  * members that it doesn't know unless they are 0. Pointers to options may be NULL: all defaults.
  *
- * Threads: each function says what it may run beside. Objects that are `const` in a function's arguments are only read:
- * any number of threads may use them at once. Destroying an object while another thread uses it is an error of the
- * caller. Objects keep alive what they were made from: they may be destroyed in any order; destroying NULL does
- * nothing. */
+ * Threads: each function says what it may run beside. `const` objects are only read: any number of threads may use them
+ * at once. Nobody may use an object that is being destroyed. Objects keep alive what they were made from, so that they
+ * are destroyed in any order; destroying NULL does nothing. */
 #ifndef HONEYCOMB_H
 #define HONEYCOMB_H
 #include <stddef.h>
@@ -70,7 +68,6 @@ HC_API const char* hc_status_name(hc_status status);
  * 1023 bytes; "" before the first. Options are called as on the command line, --NAME. Valid until the thread's next
  * failure or end. Any thread: each has its own. */
 HC_API const char* hc_last_message(void);
-
 typedef int32_t hc_element;
 enum { HC_ELEMENT_NONE = 0, HC_ELEMENT_VERTEX = 1, HC_ELEMENT_FACE = 2, HC_ELEMENT_OTHER = 3 };
 
@@ -114,8 +111,7 @@ typedef struct hc_crease {
   double sharpness; /* >= 0 */
 } hc_crease;
 
-/* An oriented manifold of polygons: each face the loop of its vertices, counter-clockwise seen from outside. Only read.
- */
+/* An oriented manifold of polygons: each face the loop of its vertices, counter-clockwise seen from outside. */
 typedef struct hc_polygons {
   size_t struct_size;
   int32_t vertex_count;
@@ -157,7 +153,6 @@ enum {
   HC_NORMALS_FAST = 1, /* of a few limit normals of faces round the vertex: for playback */
   HC_NORMALS_EXACT = 2 /* of the limit surface: slower */
 };
-
 typedef int32_t hc_order;
 enum {
   HC_ORDER_INPUT = 0,
@@ -187,6 +182,18 @@ typedef struct hc_tables hc_tables;
 HC_API hc_status hc_tables_create(hc_context* context, const hc_polygons* polygons, const hc_tables_options* options,
                                   hc_tables** tables);
 HC_API void hc_tables_destroy(hc_tables* tables);
+
+typedef struct hc_open_options {
+  size_t struct_size;
+  int32_t trusted; /* not 0: indices are not proven; a broken file then does anything */
+} hc_open_options;
+/* Maps a table file (.hct) and uses it in place; linear in its size unless trusted. It has the last level's mesh alone,
+ * no vertex origins, and fast normals as its tiles do. Errors: UNREADABLE, INVALID_FILE. Any thread. */
+HC_API hc_status hc_tables_open(hc_context* context, const char* path, const hc_open_options* options,
+                                hc_tables** tables);
+/* Writes what hc_tables_create() made to a table file, whole or not at all. Errors: UNWRITABLE; INVALID_ARGUMENT for
+ * tables of a file. Any thread. */
+HC_API hc_status hc_tables_save(const hc_tables* tables, const char* path);
 
 typedef struct hc_tables_info {
   size_t struct_size;
@@ -227,7 +234,7 @@ HC_API hc_status hc_tables_lines(const hc_tables* tables, int32_t level, int32_t
  * level it first appeared at: for materials, selections, picking. */
 typedef struct hc_origin {
   int32_t number;
-  int32_t level;
+  int32_t level;   /* -1: of tables of a file */
   hc_element kind; /* HC_ELEMENT_FACE or HC_ELEMENT_VERTEX */
 } hc_origin;
 /* Of each face (vertex) of a level; capacity: at least `faces` (`vertices`) of them. Any thread. */
@@ -241,8 +248,7 @@ HC_API hc_status hc_tables_vertex_origins(const hc_tables* tables, int32_t level
  *     | offset |  length  |  ...        |  length  |  ...
  *              |<--------- stride ----->|<--------- stride -----
  *     point:   0                        1
- * `stride` >= `length`, `offset` >= 0; the last point needs no more than its length. Only described values are touched.
- */
+ * `stride` >= `length`, `offset` >= 0; nothing is needed or touched but the values. */
 typedef struct hc_points {
   const float* data;
   size_t size;
@@ -297,8 +303,7 @@ HC_API hc_status hc_evaluate_limits(hc_evaluator* evaluator, const hc_tables* ta
 
 /* ---- Evaluation on a Vulkan device ---- */
 
-/* Vulkan's own types, declared as vulkan.h does, so that its handles are given as they are, and it needn't be included.
- */
+/* Vulkan's own types, declared as vulkan.h does, so that its handles are given as they are. */
 struct VkInstance_T;
 struct VkPhysicalDevice_T;
 struct VkDevice_T;

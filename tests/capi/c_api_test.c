@@ -145,6 +145,7 @@ int main(int count, char** arguments) {
   test_meshes(arguments[1]);
   test_tables();
   test_evaluation();
+  test_files(arguments[1]);
 #ifdef HONEYCOMB_WITHOUT_VULKAN
   test_vulkan_absent();
 #endif

@@ -34,13 +34,28 @@ static hc_tables* tables_with(hc_normals normals) {
   return tables;
 }
 
+/* The same from a table file, with tiles. */
+static hc_tables* tables_of_file(hc_normals normals, const char* folder) {
+  char path[4096];
+  snprintf(path, sizeof(path), "%s/c_vulkan_test.hct", folder);
+  const hc_polygons polygons = cube();
+  hc_tables_options options = {.struct_size = sizeof(options), .levels = kLevels, .normals = normals, .tiles = 1};
+  hc_tables *tables = NULL, *opened = NULL;
+  OK(hc_tables_create(NULL, &polygons, &options, &tables));
+  OK(hc_tables_save(tables, path));
+  OK(hc_tables_open(NULL, path, NULL, &opened));
+  hc_tables_destroy(tables);
+  remove(path);
+  return opened;
+}
+
 static void record(void* user, struct VkCommandBuffer_T* commands) {
   OK(hc_vulkan_record((const hc_vulkan_binding*)user, commands));
 }
 
-/* x y z, gap; normals packed. */
-static void a_frame_has_the_bits_of_the_cpu(test_engine* engine, hc_vulkan* vulkan, hc_normals normals, int32_t tiled) {
-  hc_tables* tables = tables_with(normals);
+/* x y z, gap; normals packed. Ends the tables. */
+static void a_frame_has_the_bits_of_the_cpu(test_engine* engine, hc_vulkan* vulkan, hc_tables* tables,
+                                            hc_normals normals, int32_t tiled) {
   hc_vulkan_table_options options = {.struct_size = sizeof(options), .tiled = tiled, .refined = {0, 3, 4}};
   if (normals != HC_NORMALS_NONE) options.normals = (hc_layout){0, 3, 3};
   hc_vulkan_table* table = NULL;
@@ -116,7 +131,8 @@ static void bad_calls(hc_vulkan* vulkan) {
   hc_vulkan_binding_destroy(NULL);
 }
 
-int main(void) {
+int main(int count, char** arguments) {
+  if (count != 2) return fprintf(stderr, "usage: c_vulkan_test FOLDER\n"), 2;
   types_are_vulkans_own();
   test_engine* engine = test_engine_create();
   hc_vulkan_device device = {.struct_size = sizeof(device)};
@@ -124,7 +140,10 @@ int main(void) {
   hc_vulkan* vulkan = NULL;
   OK(hc_vulkan_create(NULL, &device, &vulkan));
   for (hc_normals normals = HC_NORMALS_NONE; normals <= HC_NORMALS_EXACT; ++normals)
-    for (int32_t tiled = 0; tiled <= 1; ++tiled) a_frame_has_the_bits_of_the_cpu(engine, vulkan, normals, tiled);
+    for (int32_t tiled = 0; tiled <= 1; ++tiled)
+      a_frame_has_the_bits_of_the_cpu(engine, vulkan, tables_with(normals), normals, tiled);
+  a_frame_has_the_bits_of_the_cpu(engine, vulkan, tables_of_file(HC_NORMALS_FAST, arguments[1]), HC_NORMALS_FAST, 1);
+  a_frame_has_the_bits_of_the_cpu(engine, vulkan, tables_of_file(HC_NORMALS_EXACT, arguments[1]), HC_NORMALS_EXACT, 0);
   bad_calls(vulkan);
   hc_vulkan_destroy(vulkan);
   CHECK(test_engine_destroy(engine) == 0);

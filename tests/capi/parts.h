@@ -5,6 +5,7 @@
 void test_meshes(const char* folder); /* where files may be written */
 void test_tables(void);
 void test_evaluation(void);
+void test_files(const char* folder);
 void test_vulkan_absent(void); /* of a build without it; with it: c_vulkan_test.c */
 
 #endif
