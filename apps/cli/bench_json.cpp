@@ -89,6 +89,8 @@ Json runsJson(const BenchReport& report) {
                    {"table_bytes", run.tableBytes},
                    {"build_ms", run.buildMs}});
       if (!run.levels.empty()) json["levels"] = levelsJson(run);
+      if (run.host)
+        json["host_us"] = {{"record", spreadJson(run.host->recordUs)}, {"submit", spreadJson(run.host->submitUs)}};
       runs.push_back(std::move(json));
     }
   }

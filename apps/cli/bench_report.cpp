@@ -29,6 +29,12 @@ std::string levelsText(const Bench::Run& run) {
   return text.empty() ? text : text + "\n";
 }
 
+std::string hostText(const Bench::Run& run) {
+  if (!run.host) return "";
+  return fmt::format("    of the calling thread {:.1f} us to record, {:.1f} us to submit\n", run.host->recordUs.median,
+                     run.host->submitUs.median);
+}
+
 /// GB/s of output from ns per vertex.
 double rate(const BenchedLayout& measured, const Bench::Run& run) {
   const double bytes = static_cast<double>(measured.layout.desc.stride) * sizeof(float);
@@ -54,6 +60,7 @@ std::string benchTable(const BenchedLayout& measured) {
                    run.nsPerVertex.min, run.nsPerVertex.max, run.cpuNsPerVertex.median, rate(measured, run),
                    run.buildMs, humanBytes(run.tableBytes), differenceText(run.difference));
     text += levelsText(run);
+    text += hostText(run);
   }
   for (const Bench::Skip& skip : measured.comparisons.skips)
     fmt::format_to(std::back_inserter(text), "  {:<20} skipped: {}\n", skip.evaluator, skip.why);

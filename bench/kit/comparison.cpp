@@ -123,6 +123,21 @@ Result<std::vector<LevelSpread>> levelSpreads(const Prepared& prepared, std::int
   return spreads;
 }
 
+/// What a device's frames take of this thread, after one that brings everything up. Nothing where there is none.
+Result<std::optional<HostSpread>> hostSpread(const Prepared& prepared, std::int32_t frames) {
+  if (!prepared.host) return std::nullopt;
+  std::vector<double> record, submit;
+  for (std::int32_t frame = -1; frame < frames; ++frame) {
+    const auto us = prepared.host();
+    if (!us && us.error().code == ErrorCode::unsupported) return std::nullopt;
+    if (!us) return tl::unexpected(us.error());
+    if (frame < 0) continue;
+    record.push_back(us->record);
+    submit.push_back(us->submit);
+  }
+  return HostSpread{spreadOf(std::move(record)), spreadOf(std::move(submit))};
+}
+
 /// The time that is longest has the lowest rate.
 std::vector<Limit> limitsOf(std::int64_t bytes, std::span<const Timing> timings) {
   std::vector<Limit> found;
@@ -162,6 +177,9 @@ Result<Comparisons> compare(const Comparison& comparison) {
     auto levels = levelSpreads(contestant.prepared, comparison.sampling.samples);
     if (!levels) return tl::unexpected(levels.error());
     contestant.run.levels = std::move(*levels);
+    auto host = hostSpread(contestant.prepared, comparison.sampling.samples);
+    if (!host) return tl::unexpected(host.error());
+    contestant.run.host = *host;
   }
   results.runs = runsOf(*contestants, timed.first(contestants->size()));
   const auto bytes = static_cast<std::int64_t>(workbench.output().size_bytes());

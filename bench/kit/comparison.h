@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,11 @@ struct Comparison {
   Task task;
   std::span<const EvaluatorEntry* const> evaluators;
   SamplingOptions sampling = {};
+};
+
+/// What a device's frames took of the calling thread, microseconds of processor time.
+struct HostSpread {
+  Spread recordUs, submitUs;
 };
 
 /// What a level took in a frame.
@@ -37,6 +43,7 @@ struct Run {
   std::int64_t tableBytes = 0;
   double buildMs = 0;
   std::vector<LevelSpread> levels{};  ///< of a device that tells
+  std::optional<HostSpread> host{};   ///< of a device
   double difference = 0;  ///< from the serial evaluator's numbers at most, in the largest of these; 0: the same bits
 };
 

@@ -69,6 +69,12 @@ struct LevelMs {
   double ms = 0;
 };
 
+/// Processor time that a frame takes of the thread that asks a device for it.
+struct HostUs {
+  double record = 0;  ///< into a command buffer, which may be kept for all frames
+  double submit = 0;
+};
+
 /// An evaluator with its tables built.
 struct Prepared {
   std::function<Result<void>()> frame;  ///< evaluates the points of a frame
@@ -81,6 +87,9 @@ struct Prepared {
   /// Evaluates another frame and says what its levels took; absent where nobody can tell. Beside the timed frames,
   /// which timestamps would slow down. Errors: unsupported, when the device has no clock.
   std::function<Result<std::vector<LevelMs>>()> levels = {};
+  /// Records and submits another frame and waits for it; absent where there is no device. Errors: unsupported, when the
+  /// device can't have frames in flight.
+  std::function<Result<HostUs>()> host = {};
   bool spins = false;  ///< its threads keep the processors busy for a while after a frame
 };
 

@@ -169,6 +169,11 @@ TEST_F(VulkanBackendTest, BenchSaysWhatEachLevelTakes) {
   EXPECT_THAT(outcome.out, testing::ContainsRegex("of which level 1 [0-9.]+ ms, level 2 [0-9.]+ ms, level 3"));
   const nlohmann::json report = nlohmann::json::parse(read("bench.json"));
   for (const nlohmann::json& one : report.at("runs")) {
+    ASSERT_EQ(one.contains("host_us"), one.at("evaluator") != "serial");
+    if (one.contains("host_us")) {
+      EXPECT_GT(one.at("host_us").at("record").at("median"), 0);
+      EXPECT_GT(one.at("host_us").at("submit").at("median"), 0);
+    }
     ASSERT_EQ(one.contains("levels"), one.at("evaluator") == "vulkan");
     if (!one.contains("levels")) continue;
     ASSERT_EQ(one.at("levels").size(), 3U);
