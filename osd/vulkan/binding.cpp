@@ -259,15 +259,15 @@ Result<void> VulkanBinding::makeTimer() {
 }
 
 Result<std::vector<LevelTime>> VulkanBinding::levelTimes() const {
+  return guarded([this] { return timesOfParts(); });
+}
+
+Result<std::vector<LevelTime>> VulkanBinding::timesOfParts() const {
   if (!timer_) {
     return fail(ErrorCode::invalidOption,
                 "the times of levels are wanted of a binding without timing: set "
                 "VulkanBindingOptions::timing");
   }
-  return guarded([&] { return timesOfParts(); });
-}
-
-Result<std::vector<LevelTime>> VulkanBinding::timesOfParts() const {
   const auto milliseconds = timer_->milliseconds();
   if (!milliseconds) return tl::unexpected(milliseconds.error());
   const auto levels = static_cast<std::int32_t>(table_.state_->levelEnds.size());
