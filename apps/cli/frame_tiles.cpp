@@ -15,13 +15,26 @@ bool madeOfFaces(const Far::LevelTables& levels) {
   return 100 * ofFaces >= kTileFacePoints * all;
 }
 
+std::int64_t pointsOf(const Far::LevelTables& levels) {
+  return levels.pointCount(levels.levelCount());
+}
+
+/// Are the points made of what tiles are fast at, and is there memory to build them?
+bool suitable(const Far::LevelTables& levels, int atOnce) {
+  const std::int64_t pointBytes = kTileBuildBytes + std::int64_t{atOnce} * 3 * std::int64_t{sizeof(float)};
+  return madeOfFaces(levels) && pointsOf(levels) * pointBytes <= availableMemory();
+}
+
 }  // namespace
 
 bool tilesPay(const Far::LevelTables& levels, std::int32_t frames, int atOnce) {
-  const std::int64_t points = levels.pointCount(levels.levelCount());
-  if (frames < kTileFrames || points < kTilePoints || !madeOfFaces(levels)) return false;
-  const std::int64_t pointBytes = kTileBuildBytes + std::int64_t{atOnce} * 3 * std::int64_t{sizeof(float)};
-  return points * pointBytes <= availableMemory();
+  return frames >= kTileFrames && pointsOf(levels) >= kTilePoints && suitable(levels, atOnce);
+}
+
+bool deviceTilesPay(bool deviceIsCpu, const Far::LevelTables& levels, std::int32_t frames, int atOnce) {
+  const std::int64_t points = pointsOf(levels);
+  const std::int64_t cost = kDeviceTileCompileNs + kDeviceTileBuildNs * points;
+  return deviceIsCpu && kDeviceTileSavedNs * points * frames >= cost && suitable(levels, atOnce);
 }
 
 }  // namespace honeycomb::Cli

@@ -78,7 +78,8 @@ class VulkanBackend : public Backend {
   }
   int framesAtOnce() const override { return kFramesInFlight; }
   Result<FrameEvaluators> frameEvaluators(const SurfaceTables& tables, std::int32_t frames, int atOnce) override {
-    const bool build = tables.refinement != nullptr && tilesPay(tables.levels, frames, atOnce);
+    const bool onCpu = evaluator_.core()->type == VK_PHYSICAL_DEVICE_TYPE_CPU;
+    const bool build = tables.refinement != nullptr && deviceTilesPay(onCpu, tables.levels, frames, atOnce);
     if (tables.tiles != nullptr || build) {
       const auto tiles = uploadTiles(tables);
       if (tiles) return streamOf(tables, *tiles, atOnce, static_cast<std::int64_t>(tiles->byteCount()));
