@@ -40,8 +40,10 @@ TEST_F(TableTest, BakesTheFramesThatItsSchemeBakes) {
 }
 
 TEST_F(TableTest, BakesAMeshAFrame) {
-  ASSERT_EQ(run({"bake", mesh_, path("plain_%d.obj"), "--levels", "1"}).exitCode, 0);
-  ASSERT_EQ(run({"bake", mesh_, path("tabled_%d.obj"), "--table", built("a.hct", {"--levels", "1"})}).exitCode, 0);
+  const std::string cache = bentCache("bent.pc2", gridObj(6), 2);
+  const std::string table = built("a.hct", {"--levels", "1"});
+  ASSERT_EQ(run({"bake", mesh_, "--cache", cache, path("plain_%d.obj"), "--levels", "1"}).exitCode, 0);
+  ASSERT_EQ(run({"bake", mesh_, "--cache", cache, path("tabled_%d.obj"), "--table", table}).exitCode, 0);
   EXPECT_EQ(read("tabled_0.obj"), read("plain_0.obj"));
   EXPECT_FALSE(read("plain_0.obj").empty());
 }
@@ -49,14 +51,17 @@ TEST_F(TableTest, BakesAMeshAFrame) {
 TEST_F(TableTest, IsOfItsMeshAlone) {
   const std::string table = built("a.hct");
   const std::string larger = file("larger.obj", gridObj(7));
-  EXPECT_REFUSED((std::vector<std::string>{"bake", larger, "--table", table, path("out.pc2")}),
+  const std::string largerCache = bentCache("larger.pc2", gridObj(7), 2);
+  const std::string cache = bentCache("bent.pc2", gridObj(6), 2);
+  EXPECT_REFUSED((std::vector<std::string>{"bake", larger, "--cache", largerCache, "--table", table, path("out.pc2")}),
                  HasSubstr("reads 49 control points, and " + larger + " has 64"), HasSubstr("honeycomb table build"));
   std::string other = gridObj(6);
   const std::size_t face = other.find("f ");
   const std::size_t end = other.find('\n', face);
   other += other.substr(face, end - face + 1);
   other.erase(face, end - face + 1);
-  EXPECT_REFUSED((std::vector<std::string>{"bake", file("other.obj", other), "--table", table, path("out.pc2")}),
+  const std::string otherMesh = file("other.obj", other);
+  EXPECT_REFUSED((std::vector<std::string>{"bake", otherMesh, "--cache", cache, "--table", table, path("out.pc2")}),
                  HasSubstr("was made for another mesh"));
 }
 
