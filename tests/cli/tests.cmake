@@ -8,6 +8,8 @@ target_link_libraries(cli_test_support PUBLIC honeycomb_compile honeycomb_saniti
 # Loaded into the program, which has the sanitizers.
 add_library(cli_signal_at_write MODULE ${CMAKE_CURRENT_LIST_DIR}/signal_at_write.cpp)
 target_link_libraries(cli_signal_at_write PRIVATE honeycomb_compile honeycomb_warnings)
+# Its functions take the place of the C library's.
+set_target_properties(cli_signal_at_write PROPERTIES CXX_VISIBILITY_PRESET default)
 target_compile_definitions(cli_test_support PRIVATE HONEYCOMB_PROGRAM="$<TARGET_FILE:honeycomb>"
                                                     HONEYCOMB_SIGNAL_AT_WRITE="$<TARGET_FILE:cli_signal_at_write>"
                                                     HONEYCOMB_MPIRUN="${MPIEXEC_EXECUTABLE}")
