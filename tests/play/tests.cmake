@@ -23,6 +23,7 @@ if(HONEYCOMB_WINDOW AND NOT HONEYCOMB_SANITIZE)
   # A Vulkan layer is a library and a file that says so.
   set(lost_device_folder ${CMAKE_CURRENT_BINARY_DIR}/lost_device)
   add_library(lost_device_layer MODULE ${CMAKE_CURRENT_LIST_DIR}/lost_device_layer.cpp)
+  set_target_properties(lost_device_layer PROPERTIES CXX_VISIBILITY_PRESET default)
   target_link_libraries(lost_device_layer PRIVATE honeycomb_compile honeycomb_warnings)
   file(GENERATE OUTPUT ${lost_device_folder}/lost_device.json CONTENT "{
   \"file_format_version\": \"1.1.2\",
