@@ -273,10 +273,11 @@ std::array<Real, 3> unit(const std::array<Real, 3>& n) {
   return {n[0] * r, n[1] * r, n[2] * r};
 }
 
-/// T1 x T2 made unit.
+/// a x b made unit: see LimitRows.
 template <class Real>
-std::array<Real, 3> unitNormal(const std::array<Real, 3>& t1, const std::array<Real, 3>& t2) {
-  return unit<Real>({t1[1] * t2[2] - t1[2] * t2[1], t1[2] * t2[0] - t1[0] * t2[2], t1[0] * t2[1] - t1[1] * t2[0]});
+std::array<Real, 3> unitNormal(const std::array<Real, 3>& a, const std::array<Real, 3>& b) {
+  return unit<Real>({(a[1] * b[2] - a[2] * b[1]) + Real{0}, (a[2] * b[0] - a[0] * b[2]) + Real{0},
+                     (a[0] * b[1] - a[1] * b[0]) + Real{0}});
 }
 
 /// ((n_a + n_b) + n_c) + .. made unit: see NormalTable.

@@ -1,6 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// FrameBatch: one invocation an element; its limit position, and its unit normal T1 x T2. kLength is 3.
+// FrameBatch: one invocation an element; its limit position, and its unit normal A x B. kLength is 3.
 #include "evaluate.glsl"
 #include "source.glsl"
 #include "unit.glsl"

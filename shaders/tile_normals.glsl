@@ -33,7 +33,7 @@ vec3 numberedPoint(uint record, uint k) {
   return ownPoint(halfOf(texelFetch(table, int(record + k / 8u))[k / 2u % 4u], k)).xyz;
 }
 
-// T1 x T2 of n points; of both tangents the weights of a point stand side by side.
+// A x B of FrameBatch, of n points; the weights of a point in both stand side by side.
 vec3 frameNormal(uint record, uint weights, uint n) {
   const vec3 first = numberedPoint(record, 0u);
   vec4 pair = weightsAt(weights);

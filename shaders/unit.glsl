@@ -14,11 +14,17 @@ vec3 unit(vec3 v) {
   return direction;
 }
 
+// v + 0, which takes the sign from a zero: as an addition compilers leave it out.
+vec3 plusZero(vec3 v) {
+  const uvec3 bits = floatBitsToUint(v);
+  return uintBitsToFloat(mix(bits, uvec3(0u), equal(bits << 1, uvec3(0u))));
+}
+
 // s x t made unit.
 vec3 unitNormal(vec3 s, vec3 t) {
   precise float xa = s.y * t.z, xb = s.z * t.y;
   precise float ya = s.z * t.x, yb = s.x * t.z;
   precise float za = s.x * t.y, zb = s.y * t.x;
   precise vec3 normal = vec3(xa - xb, ya - yb, za - zb);
-  return unit(normal);
+  return unit(plusZero(normal));
 }

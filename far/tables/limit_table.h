@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,11 +11,15 @@
 namespace honeycomb::Far {
 
 /// Elements (faces, or vertices by their child faces) of one shape: each reads `sides` points and gets a limit
-/// position and two tangents by the same three weight rows.
-///     position = (m_0 p_0 + m_1 p_1) + ...,  T1 = (a_0 p_0 + a_1 p_1) + ...,  T2 = (b_0 p_0 + b_1 p_1) + ...
+/// position and two vectors that span its tangent plane by the same three weight rows.
+///     position = (m_0 p_0 + m_1 p_1) + ...,  A = (a_0 p_0 + a_1 p_1) + ...,  B = (b_0 p_0 + b_1 p_1) + ...
 ///     p_j = in[indices[firstIndex + g*sides + j]],  weights at firstWeight: m (sides) | a (sides) | b (sides)
-/// For a whole N-gon: m_j = 1/N, a_j = cos(2 pi j/N), b_j = sin(2 pi j/N), by Akleman and Srinivasan's circulant face
-/// matrix. Sums over more than kProjectionBlock points are taken in blocks, as in ProjectedFace.
+/// For a whole N-gon: m_j = 1/N and A, B the tangents T1, T2: a_j = cos(2 pi j/N), b_j = sin(2 pi j/N), by Akleman and
+/// Srinivasan's circulant face matrix. Of whole quads and hexagons T1 and T2 are sums of differences of opposite
+/// corners d_j = p_j - p_{j+N/2}, and A, B take fewer operations (kQuadSpan, kHexagonSpan):
+///     quad      A = d_0 = T1,  B = d_1 = T2
+///     hexagon   A = d_0 + d_1,  B = d_1 + d_2;  T1 = A - B/2,  T2 = sqrt(3)/2 B
+/// Sums over more than kProjectionBlock points are taken in blocks, as in ProjectedFace.
 struct FrameBatch {
   std::int32_t sides = 0;
   std::int32_t count = 0;
@@ -23,8 +28,14 @@ struct FrameBatch {
   std::int32_t firstWeight = 0;
 };
 
+/// Rows a | b of whole quads. A term whose weight is 0 may be left out, and one of weight 1 or -1 taken as it is: that
+/// changes the sign of a zero at most, which n + 0 below takes away.
+constexpr std::array<double, 8> kQuadSpan{1, 0, -1, 0, 0, 1, 0, -1};
+/// The same of whole hexagons.
+constexpr std::array<double, 12> kHexagonSpan{1, 1, 0, -1, -1, 0, 0, 1, 1, 0, -1, -1};
+
 /// Limit positions and unit normals of a set of elements, from the points of one level.
-///     normal = T1 x T2 with n_x = T1y T2z - T1z T2y and cyclic; q = (x*x + y*y) + z*z;
+///     normal = A x B with n_x = (A_y B_z - A_z B_y) + 0 and cyclic; q = (x*x + y*y) + z*z;
 ///     q < FLT_MIN (DBL_MIN in double) or not finite gives the zero vector, else r = 1/sqrt(q), (x r, y r, z r)
 struct LimitRows {
   std::int32_t sourceCount = 0;   ///< points read

@@ -18,41 +18,53 @@ namespace honeycomb::Far {
 
 namespace {
 
-/// Three weight rows over the points of an element: limit position and two tangents.
+/// The rows m, a, b of FrameBatch.
 struct FrameWeights {
-  std::vector<double> position, tangent1, tangent2;
+  std::vector<double> position, a, b;
 };
 
-FrameWeights polygonFrame(std::int32_t sides) {
+/// By the tangents T1 and T2.
+FrameWeights tangentFrame(std::int32_t sides) {
   FrameWeights frame{std::vector<double>(at(sides), 1.0 / sides), std::vector<double>(at(sides)),
                      std::vector<double>(at(sides))};
   for (std::int32_t j = 0; j < sides; ++j) {
     const double angle = 2 * std::numbers::pi * j / sides;
-    frame.tangent1[at(j)] = std::cos(angle);
-    frame.tangent2[at(j)] = std::sin(angle);
+    frame.a[at(j)] = std::cos(angle);
+    frame.b[at(j)] = std::sin(angle);
   }
+  return frame;
+}
+
+FrameWeights polygonFrame(std::int32_t sides) {
+  FrameWeights frame = tangentFrame(sides);
+  const auto setSpan = [&](const auto& rows) {
+    frame.a.assign(rows.begin(), rows.begin() + sides);
+    frame.b.assign(rows.begin() + sides, rows.end());
+  };
+  if (sides == 4) setSpan(kQuadSpan);
+  if (sides == 6) setSpan(kHexagonSpan);
   return frame;
 }
 
 /// The frame of a polygon with a central control vertex behind its corners, which takes `central` of the position.
 FrameWeights centralFrame(std::int32_t sides, double central) {
-  FrameWeights frame = polygonFrame(sides);
+  FrameWeights frame = tangentFrame(sides);
   for (double& w : frame.position) w *= 1 - central;
   frame.position.push_back(central);
-  frame.tangent1.push_back(0);
-  frame.tangent2.push_back(0);
+  frame.a.push_back(0);
+  frame.b.push_back(0);
   return frame;
 }
 
 /// The frame of a half face: of the whole polygon, folded onto the path. A triangle's cut leaves no polygon to mirror.
 FrameWeights halfFrame(const MirroredPolygon& polygon) {
   if (polygon.sides() == 2) {
-    FrameWeights frame = polygonFrame(3);
+    FrameWeights frame = tangentFrame(3);
     frame.position = {0.5, 0, 0.5};
     return frame;
   }
-  const FrameWeights whole = polygonFrame(polygon.sides());
-  return {polygon.fold(whole.position), polygon.fold(whole.tangent1), polygon.fold(whole.tangent2)};
+  const FrameWeights whole = tangentFrame(polygon.sides());
+  return {polygon.fold(whole.position), polygon.fold(whole.a), polygon.fold(whole.b)};
 }
 
 class RowsBuilder {
@@ -68,9 +80,7 @@ class RowsBuilder {
     rows_.batches.push_back({sides, 0, static_cast<std::int32_t>(rows_.indices.size()),
                              static_cast<std::int32_t>(rows_.elements.size()),
                              static_cast<std::int32_t>(rows_.weights.size())});
-    for (const auto* row : {&frame.position, &frame.tangent1, &frame.tangent2}) {
-      rows_.weights.append(row->begin(), row->end());
-    }
+    for (const auto* row : {&frame.position, &frame.a, &frame.b}) rows_.weights.append(row->begin(), row->end());
   }
 
   void addElement(std::int32_t element, const std::vector<std::int32_t>& points) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -25,9 +27,17 @@ class FrameIndex {
     const FrameBatch& batch = batchOf(element);
     const std::span<const std::int32_t> index = points(element);
     const double* w = rows_.weights.data() + batch.firstWeight;
+    // Whose A and B aren't T1 and T2.
+    const bool hexagon = batch.sides == 6 && std::equal(kHexagonSpan.begin(), kHexagonSpan.end(), w + batch.sides);
     for (std::int32_t j = 0; j < batch.sides; ++j) {
       typename Composer<Lanes>::Weights weights{};
       for (std::size_t lane = 0; lane < Lanes; ++lane) weights[lane] = w[at(batch.sides) * lane + at(j)];
+      if constexpr (Lanes == 3) {
+        if (hexagon) {
+          weights[1] -= weights[2] / 2;
+          weights[2] *= std::numbers::sqrt3 / 2;
+        }
+      }
       composer.add(step, index[at(j)], weights);
     }
   }

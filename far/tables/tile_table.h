@@ -134,7 +134,7 @@ struct TileFrames {
   std::int32_t sides = 0;
   std::int32_t count = 0;
   std::int32_t firstIndex = 0;   ///< in TileNormals::indices, count x sides
-  std::int32_t firstWeight = 0;  ///< in TileNormals::weights: as FrameBatch has them, the tangents alone are used
+  std::int32_t firstWeight = 0;  ///< in TileNormals::weights: as FrameBatch has them, a and b alone are used
 };
 
 /// The face normals a tile knows, numbered from 0: those imported, then those of its frames.
@@ -193,7 +193,7 @@ struct TileVertexFrames {
   std::int32_t count = 0;        ///< faces with all their points, or single points
   std::int32_t each = 1;         ///< points of a face, one behind the other
   std::int32_t firstIndex = 0;   ///< in TileLimits::indices, count x each x sides
-  std::int32_t firstWeight = 0;  ///< in TileLimits::weights: as FrameBatch has them, the tangents alone are used
+  std::int32_t firstWeight = 0;  ///< in TileLimits::weights: as FrameBatch has them, a and b alone are used
   std::int32_t firstOutput = 0;  ///< where they go, as TileStage::firstOutput
 };
 

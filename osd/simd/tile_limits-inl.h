@@ -31,18 +31,18 @@ struct VertexFrames {
 
 /// Of faces `face` .. as many as kTogether vectors of D hold at once; returns the first left. kSides: points a vertex
 /// reads, kEach: points of a face, any number if 0.
-template <int kSides, int kEach, int kTogether, class D, class Sink>
+template <template <int, class> class Weights, int kSides, int kEach, int kTogether, class D, class Sink>
 HWY_INLINE std::int32_t facesOfFrames(D d, const VertexFrames frames, Sink sink, std::int32_t face) {
   const int n = kSides > 0 ? kSides : frames.group.sides;
   const int each = kEach > 0 ? kEach : frames.group.each;
-  const TangentWeights<kSides, D> w(d, frames.weights, n);
+  const Weights<kSides, D> w(d, frames.weights, n);
   for (; face + kTogether * kBlocks<D> <= frames.group.count; face += kTogether * kBlocks<D>) {
     hn::Vec<D> v[kTogether * (kEach > 0 ? kEach : Far::kLargestCirculant)];
     for (int t = 0; t < kTogether; ++t) {
       const Far::TilePoint* index = frames.index + at(face + t * kBlocks<D>) * at(each) * at(n);
       HWY_UNROLL(1)
       for (int i = 0; i < each; ++i) {
-        v[t * each + i] = crossedTangents<kSides>(d, w, frames.points, index + i * n, n, at(each) * at(n));
+        v[t * each + i] = spanCross<kSides>(d, w, frames.points, index + i * n, n, at(each) * at(n));
       }
     }
     makeAllUnit(d, v, kTogether * each);
@@ -52,12 +52,12 @@ HWY_INLINE std::int32_t facesOfFrames(D d, const VertexFrames frames, Sink sink,
   return face;
 }
 
-template <int kSides, int kEach, class Sink>
+template <template <int, class> class Weights, int kSides, int kEach, class Sink>
 void groupOfFrames(const VertexFrames& frames, Sink sink) {
   using Wide = HWY_CAPPED(float, 16);
   std::int32_t face = 0;
   const auto upTo = [&](auto d, auto together) HWY_ATTR {
-    face = facesOfFrames<kSides, kEach, decltype(together)::value>(d, frames, sink, face);
+    face = facesOfFrames<Weights, kSides, kEach, decltype(together)::value>(d, frames, sink, face);
   };
   constexpr int kTogether = kUnitTogether<kEach>;
   if constexpr (kTogether > 1) upTo(Wide(), Int<kTogether>{});
@@ -84,10 +84,11 @@ void limitNormals(const Far::TileTable& table, std::int32_t tile, const float* p
                               limits.indices.data() + group.firstIndex, Kernels::outputsFrom(table, group.firstOutput)};
     if (group.sides == 0) {
       zeroVectors(frames, sink);
-    } else if (group.sides != 6) {
-      groupOfFrames<0, 0>(frames, sink);
+    } else if (group.sides != 6 || !areDifferences<6>(frames.weights)) {
+      groupOfFrames<SpanWeights, 0, 0>(frames, sink);
     } else {
-      forCommonSides(group.each, [&](auto each) HWY_ATTR { groupOfFrames<6, decltype(each)::value>(frames, sink); });
+      forCommonSides(group.each,
+                     [&](auto each) HWY_ATTR { groupOfFrames<Differences, 6, decltype(each)::value>(frames, sink); });
     }
   }
 }

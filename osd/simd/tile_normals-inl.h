@@ -8,6 +8,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -47,11 +48,10 @@ HWY_INLINE hn::Vec<D> turnedOnce(D d, hn::Vec<D> v) {
   return hn::BitCast(d, hn::TableLookupBytes(hn::BitCast(bytes, v), hn::LoadDup128(bytes, kTurn)));
 }
 
-/// a x b, with the products and differences of Kernels::unitNormal: found as (z x y), then turned, which is one turn
-/// less.
+/// a x b, with the operations of Kernels::unitNormal: found as (z x y), then turned, which is one turn less.
 template <class D>
 HWY_INLINE hn::Vec<D> cross(D d, hn::Vec<D> a, hn::Vec<D> b) {
-  return turnedOnce(d, a * turnedOnce(d, b) - turnedOnce(d, a) * b);
+  return turnedOnce(d, (a * turnedOnce(d, b) - turnedOnce(d, a) * b) + hn::Zero(d));
 }
 
 /// The squares of the lengths of the blocks of one to four vectors: lane i of a block is that of v[i].
@@ -104,58 +104,82 @@ HWY_INLINE void makeAllUnit(D d, hn::Vec<D>* v, int count) {
   if (i < count) makeUnit<1>(d, v + i);
 }
 
-/// The weights of both tangents of faces of N sides, each in every lane; any number of sides if N is 0.
+/// The rows a | b of FrameBatch for faces of N sides, each weight in every lane; any number of sides if N is 0.
 template <int N, class D>
-struct TangentWeights {
-  hn::Vec<D> cosine[N], sine[N];
-  HWY_INLINE TangentWeights(D d, const float* w, int) {
+struct SpanWeights {
+  hn::Vec<D> a[N], b[N];
+  HWY_INLINE SpanWeights(D d, const float* w, int) {
     HWY_UNROLL(8)
     for (int j = 0; j < N; ++j) {
-      cosine[j] = hn::Set(d, w[N + j]);
-      sine[j] = hn::Set(d, w[2 * N + j]);
+      a[j] = hn::Set(d, w[N + j]);
+      b[j] = hn::Set(d, w[2 * N + j]);
     }
   }
-  HWY_INLINE hn::Vec<D> first(int j) const { return cosine[j]; }
-  HWY_INLINE hn::Vec<D> second(int j) const { return sine[j]; }
+  HWY_INLINE hn::Vec<D> first(int j) const { return a[j]; }
+  HWY_INLINE hn::Vec<D> second(int j) const { return b[j]; }
 };
 template <class D>
-struct TangentWeights<0, D> {
+struct SpanWeights<0, D> {
   D d;
   const float* w;
   int n;
-  HWY_INLINE TangentWeights(D tag, const float* weights, int sides) : d(tag), w(weights), n(sides) {}
+  HWY_INLINE SpanWeights(D tag, const float* weights, int sides) : d(tag), w(weights), n(sides) {}
   HWY_INLINE hn::Vec<D> first(int j) const { return hn::Set(d, w[n + j]); }
   HWY_INLINE hn::Vec<D> second(int j) const { return hn::Set(d, w[2 * n + j]); }
 };
 
-/// T1 x T2 of the K faces whose n corners begin at `index`, `step` apart.
+/// Stands for the weights of Far::kQuadSpan and kHexagonSpan, which nobody needs to multiply with.
 template <int N, class D>
-HWY_INLINE hn::Vec<D> crossedTangents(D d, const TangentWeights<N, D>& w, const float* points,
-                                      const Far::TilePoint* index, int n, std::size_t step) {
+struct Differences {
+  HWY_INLINE Differences(D, const float*, int) {}
+};
+
+/// Is that what `weights` are?
+template <int N>
+HWY_INLINE bool areDifferences(const float* weights) {
+  if constexpr (N == 4) return std::equal(Far::kQuadSpan.begin(), Far::kQuadSpan.end(), weights + N);
+  if constexpr (N == 6) return std::equal(Far::kHexagonSpan.begin(), Far::kHexagonSpan.end(), weights + N);
+  return false;
+}
+
+/// A x B of the K faces whose n corners begin at `index`, `step` apart.
+template <int N, class D>
+HWY_INLINE hn::Vec<D> spanCross(D d, const SpanWeights<N, D>& w, const float* points, const Far::TilePoint* index,
+                                int n, std::size_t step) {
   const auto p = loadOwn(d, points, index, step);
-  auto t1 = w.first(0) * p;
-  auto t2 = w.second(0) * p;
+  auto a = w.first(0) * p;
+  auto b = w.second(0) * p;
   HWY_UNROLL(8)
   for (int j = 1; j < n; ++j) {
     const auto q = loadOwn(d, points, index + j, step);
-    t1 = t1 + w.first(j) * q;
-    t2 = t2 + w.second(j) * q;
+    a = a + w.first(j) * q;
+    b = b + w.second(j) * q;
   }
-  return cross(d, t1, t2);
+  return cross(d, a, b);
+}
+
+template <int N, class D>
+HWY_INLINE hn::Vec<D> spanCross(D d, const Differences<N, D>&, const float* points, const Far::TilePoint* index, int,
+                                std::size_t step) {
+  hn::Vec<D> p[N];
+  HWY_UNROLL(8)
+  for (int j = 0; j < N; ++j) p[j] = loadOwn(d, points, index + j, step);
+  if constexpr (N == 4) return cross(d, p[0] - p[2], p[1] - p[3]);
+  if constexpr (N == 6) return cross(d, ((p[0] + p[1]) - p[3]) - p[4], ((p[1] + p[2]) - p[4]) - p[5]);
 }
 
 /// Normals of faces g .. of a batch, as many as vectors of D hold at once, kAtOnce vectors at a time. Returns the first
-/// face left. N: their sides, or 0.
-template <int N, int kAtOnce, class D>
+/// face left. N: their sides, or 0. Weights: SpanWeights or Differences.
+template <template <int, class> class Weights, int N, int kAtOnce, class D>
 HWY_INLINE std::int32_t frameNormals(D d, const Far::TileFrames& frames, const float* weights,
                                      const Far::TilePoint* index, const float* points, float* normals, std::int32_t g) {
   const int n = N > 0 ? N : frames.sides;
-  const TangentWeights<N, D> w(d, weights, n);
+  const Weights<N, D> w(d, weights, n);
   for (; g + kAtOnce * kBlocks<D> <= frames.count; g += kAtOnce * kBlocks<D>) {
     hn::Vec<D> v[kAtOnce];
     HWY_UNROLL(4)
     for (int i = 0; i < kAtOnce; ++i) {
-      v[i] = crossedTangents<N>(d, w, points, index + (g + i * kBlocks<D>)*n, n, at(n));
+      v[i] = spanCross<N>(d, w, points, index + (g + i * kBlocks<D>)*n, n, at(n));
     }
     makeUnit<kAtOnce>(d, v);
     HWY_UNROLL(4)
@@ -164,12 +188,12 @@ HWY_INLINE std::int32_t frameNormals(D d, const Far::TileFrames& frames, const f
   return g;
 }
 
-template <int N>
+template <template <int, class> class Weights, int N>
 void normalsOfFrames(const Far::TileFrames& frames, const float* w, const Far::TilePoint* index, const float* points,
                      float* normals) {
-  std::int32_t g = frameNormals<N, 4>(HWY_CAPPED(float, 16)(), frames, w, index, points, normals, 0);
-  g = frameNormals<N, 4>(Block(), frames, w, index, points, normals, g);
-  frameNormals<N, 1>(Block(), frames, w, index, points, normals, g);
+  std::int32_t g = frameNormals<Weights, N, 4>(HWY_CAPPED(float, 16)(), frames, w, index, points, normals, 0);
+  g = frameNormals<Weights, N, 4>(Block(), frames, w, index, points, normals, g);
+  frameNormals<Weights, N, 1>(Block(), frames, w, index, points, normals, g);
 }
 
 HWY_INLINE void faceNormals(const Far::TileNormals& table, const Far::TileNormalRange& tile, const float* points,
@@ -184,8 +208,13 @@ HWY_INLINE void faceNormals(const Far::TileNormals& table, const Far::TileNormal
     const Far::TileFrames& frames = table.frames[at(b)];
     const float* w = table.weightsSingle.data() + frames.firstWeight;
     const Far::TilePoint* index = table.indices.data() + frames.firstIndex;
-    forCommonSides(frames.sides,
-                   [&](auto sides) { normalsOfFrames<decltype(sides)::value>(frames, w, index, points, normals); });
+    forCommonSides(frames.sides, [&](auto sides) {
+      constexpr int kSides = decltype(sides)::value;
+      if constexpr (kSides == 4 || kSides == 6) {
+        if (areDifferences<kSides>(w)) return normalsOfFrames<Differences, kSides>(frames, w, index, points, normals);
+      }
+      normalsOfFrames<SpanWeights, kSides>(frames, w, index, points, normals);
+    });
     normals += Kernels::kTileStride * frames.count;
   }
 }

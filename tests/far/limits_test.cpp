@@ -263,6 +263,29 @@ TEST(Limits, InFloatAreThoseInDoubleRounded) {
   }
 }
 
+TEST(Limits, SpanTheTangentPlanesOfFacesWhateverTheirNumberOfSides) {
+  const Far::Refinement refinement = refined(torus(6, 5), schemeCase(NamedTension::paper).scheme, 2, {}, true);
+  const Far::LimitRows& rows = refinement.limits().faces;
+  const std::vector<Vec3> points{{2, 0, 0.5},   {1, 1, 0},   {0, 2, 1},    {-1, 1, 0},
+                                 {-2, 0, 0.25}, {-1, -1, 0}, {0, -2, 0.5}, {1, -1, 1}};
+  std::vector<std::int32_t> sides;
+  for (const Far::FrameBatch& batch : rows.batches) {
+    sides.push_back(batch.sides);
+    const std::vector<Vec3> polygon(points.begin(), points.begin() + batch.sides);
+    const auto sum = [&](std::int32_t row) {
+      Vec3 total{0, 0, 0};
+      for (std::size_t j = 0; j < polygon.size(); ++j) {
+        const auto first = static_cast<std::size_t>(batch.firstWeight + row * batch.sides);
+        total = total + rows.weights[first + j] * polygon[j];
+      }
+      return total;
+    };
+    EXPECT_LT(distance(unit(cross(sum(1), sum(2))), unit(tangentNormal(polygon))), 1e-14) << batch.sides << " sides";
+  }
+  std::sort(sides.begin(), sides.end());
+  EXPECT_EQ(sides, (std::vector<std::int32_t>{4, 6, 8}));
+}
+
 TEST(Limits, ADegenerateFaceHasTheZeroNormal) {
   PolyMesh control = tetrahedron();
   for (Vec3& p : control.points) p = {0, 0, 0};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "far/base/parallel.h"
@@ -136,6 +137,28 @@ TEST(StencilTable, GivesTheLimitsOfVerticesAndFaces) {
       }
     }
   });
+}
+
+TEST(StencilTable, HasTangentsByCosinesAndSinesWhateverTheNumberOfSides) {
+  const PolyMesh mesh = torus(6, 5);
+  const Far::Refinement refinement = refined(mesh, schemeCase(NamedTension::paper).scheme, 2, {}, true);
+  const auto points = levelPoints<double>(refinement, 2, mesh.points);
+  const StencilTable table = built(refinement, {.kind = StencilKind::faceLimits});
+  const auto t1 = evaluated(table, mesh.points, StencilWeights::tangent1);
+  const auto t2 = evaluated(table, mesh.points, StencilWeights::tangent2);
+  const Far::Topology& topology = refinement.last().topology;
+  for (std::int32_t f = 0; f < topology.faceCount(); ++f) {
+    const std::int32_t n = topology.sides(f);
+    Vec3 cosines{0, 0, 0};
+    Vec3 sines{0, 0, 0};
+    for (std::int32_t j = 0; j < n; ++j) {
+      const Vec3& p = at(points, topology.vert(at(topology.faceOffsets(), f) + j));
+      cosines = cosines + std::cos(2 * std::numbers::pi * j / n) * p;
+      sines = sines + std::sin(2 * std::numbers::pi * j / n) * p;
+    }
+    ASSERT_LT(distance(at(t1, f), cosines), 1e-12) << n << " sides";
+    ASSERT_LT(distance(at(t2, f), sines), 1e-12) << n << " sides";
+  }
 }
 
 TEST(StencilTable, ChoicesAreRowsOfTheWhole) {

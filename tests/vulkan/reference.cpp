@@ -186,7 +186,8 @@ void summed(const Far::LevelTable& table, Component in, WritableComponent out) {
 using Vector = std::array<float, 3>;
 
 Vector unitNormal(const Vector& s, const Vector& t) {
-  const Vector n = {s[1] * t[2] - s[2] * t[1], s[2] * t[0] - s[0] * t[2], s[0] * t[1] - s[1] * t[0]};
+  const Vector n = {(s[1] * t[2] - s[2] * t[1]) + 0.0F, (s[2] * t[0] - s[0] * t[2]) + 0.0F,
+                    (s[0] * t[1] - s[1] * t[0]) + 0.0F};
   const float q = (n[0] * n[0] + n[1] * n[1]) + n[2] * n[2];
   if (!(q >= FLT_MIN) || !std::isfinite(q)) return {0, 0, 0};
   const float r = 1.0F / std::sqrt(q);
