@@ -63,6 +63,7 @@ int main(int count, char** arguments) {
     highest = std::max(highest, *most);
   }
   const double took = milliseconds() - start;
-  std::printf("%d frames, %.2f ms each, coordinates from %.4f to %.4f\n", frameCount, took / frameCount, lowest, highest);
+  std::printf("%d frames, %.2f ms each, coordinates from %.4f to %.4f\n", frameCount, took / frameCount, lowest,
+              highest);
   return 0;
 }
