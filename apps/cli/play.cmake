@@ -5,6 +5,7 @@ target_sources(honeycomb_cli PRIVATE
   play/backend_choice.cpp
   play/clock.cpp
   play/comparison.cpp
+  play/device_levels.cpp
   play/headless.cpp
   play/history.cpp
   play/host_poses.cpp

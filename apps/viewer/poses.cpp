@@ -13,6 +13,13 @@ PointSource sourceOf(const Osd::FrameSlot& slot, Osd::PointBuffer points) {
   return {range.buffer, static_cast<std::int64_t>(range.offset / sizeof(float)), 3};
 }
 
+/// One is drawn while the next is refined.
+Result<Osd::VulkanFrames> twoFrames(const Osd::VulkanEvaluator& evaluator, const Osd::VulkanTable& table, bool timing) {
+  return Osd::VulkanFrames::create(
+      evaluator, table,
+      {.framesInFlight = 2, .frame = {.timing = timing, .readers = VK_PIPELINE_STAGE_VERTEX_SHADER_BIT}});
+}
+
 }  // namespace
 
 Result<DevicePoses> DevicePoses::create(const Osd::VulkanDevice& device, const Far::Refinement& refinement,
@@ -23,11 +30,12 @@ Result<DevicePoses> DevicePoses::create(const Osd::VulkanDevice& device, const F
   if (options.normals) wanted.vertexLimits.normals = Osd::BufferDescriptor{};
   const auto table = evaluator->upload(refinement, wanted);
   if (!table) return tl::unexpected(table.error());
-  // One is drawn while the next is refined.
-  auto frames = Osd::VulkanFrames::create(
-      *evaluator, *table, {.framesInFlight = 2, .frame = {.readers = VK_PIPELINE_STAGE_VERTEX_SHADER_BIT}});
+  bool timing = options.timing;
+  auto frames = twoFrames(*evaluator, *table, timing);
+  if (!frames && timing && frames.error().code == ErrorCode::unsupported)
+    frames = twoFrames(*evaluator, *table, timing = false);
   if (!frames) return tl::unexpected(frames.error());
-  return DevicePoses(std::move(*frames), 3 * static_cast<std::size_t>(table->controlCount()), options.normals);
+  return DevicePoses(std::move(*frames), 3 * static_cast<std::size_t>(table->controlCount()), options.normals, timing);
 }
 
 Result<void> DevicePoses::send(std::span<const float> control) {
@@ -45,7 +53,14 @@ Result<PoseTimes> DevicePoses::pose(std::span<const float> control) {
   const Stopwatch watch;
   if (const auto sent = send(control); !sent) return tl::unexpected(sent.error());
   if (const auto done = frames_.wait(posed_); !done) return tl::unexpected(done.error());
-  return PoseTimes{watch.milliseconds(), 0};
+  PoseTimes times{watch.milliseconds(), 0};
+  if (timing_) {
+    const auto slot = frames_.results(posed_);
+    auto levels = slot ? (*slot)->binding().levelTimes() : tl::unexpected(slot.error());
+    if (!levels) return tl::unexpected(levels.error());
+    times.levels = std::move(*levels);
+  }
+  return times;
 }
 
 std::span<const float> DevicePoses::refined() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "apps/viewer/bindings.h"
 #include "far/tables/refinement.h"
@@ -19,6 +20,7 @@ struct PosedPoints {
 struct PoseTimes {
   double evaluate = 0;
   double upload = 0;
+  std::vector<Osd::LevelTime> levels{};  ///< of `evaluate`, by the device's own clock; empty where it doesn't refine
 };
 
 /// Refines a deforming mesh, pose after pose, and has the points on the device to draw from. Belongs to one thread at a
@@ -37,6 +39,7 @@ class Poses {
 
 struct DevicePosesOptions {
   bool normals = true;  ///< off where the refinement has no limits: the points stand in for the normals
+  bool timing = false;  ///< fill PoseTimes::levels, where the device has timestamps
   Osd::VulkanEvaluatorOptions evaluation{};
 };
 
@@ -56,13 +59,14 @@ class DevicePoses : public Poses {
   Result<void> send(std::span<const float> control);
 
  private:
-  DevicePoses(Osd::VulkanFrames frames, std::size_t controlNumbers, bool normals)
-      : frames_(std::move(frames)), controlNumbers_(controlNumbers), normals_(normals) {}
+  DevicePoses(Osd::VulkanFrames frames, std::size_t controlNumbers, bool normals, bool timing)
+      : frames_(std::move(frames)), controlNumbers_(controlNumbers), normals_(normals), timing_(timing) {}
 
   Osd::VulkanFrames frames_;
   Osd::VulkanTicket posed_;
   std::size_t controlNumbers_;
   bool normals_;
+  bool timing_;
 };
 
 }  // namespace honeycomb::Viewer

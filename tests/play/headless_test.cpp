@@ -54,6 +54,20 @@ TEST_F(HeadlessTest, WritesAPictureAFrameUnderItsNumber) {
   EXPECT_EQ(first.height, 100);
 }
 
+TEST_F(HeadlessTest, WhatEachLevelTookOnTheDeviceIsInTheSummary) {
+  const auto levelsOn = [&](const std::string& backend) {
+    const Outcome done = play(
+        {"--cache", frames, "--frames", "0:1", "--backend", backend, "--output", path("l_%d.png"), "--json"}, "96x60");
+    EXPECT_EQ(done.exitCode, 0) << done.err;
+    return nlohmann::json::parse(done.out).at("device_levels");
+  };
+  const nlohmann::json levels = levelsOn("vulkan");
+  ASSERT_EQ(levels.size(), 3U) << levels << ": two levels, and the limits of the last";
+  EXPECT_EQ(levels[2]["what"], "limits");
+  for (const nlohmann::json& level : levels) EXPECT_GT(level["ms"], 0) << levels;
+  EXPECT_EQ(levelsOn("serial").size(), 0U) << "the CPU has no such clock";
+}
+
 TEST_F(HeadlessTest, PicturesAreTheSameBytesAgainAndOnEveryBackend) {
   std::string expected;
   for (const std::string backend : {"serial", "tbb", "vulkan", "auto", "serial"}) {

@@ -9,6 +9,7 @@
 #include "apps/cli/interrupt.h"
 #include "apps/cli/json_text.h"
 #include "apps/cli/play/backend_choice.h"
+#include "apps/cli/play/device_levels.h"
 #include "apps/cli/play/options.h"
 #include "apps/cli/play/video_pipe.h"
 #include "apps/cli/progress.h"
@@ -45,9 +46,10 @@ struct Show {
   }
 };
 
-/// Sums over all pictures, milliseconds.
+/// Sums over all pictures, milliseconds; of the last one's levels.
 struct Times {
   double evaluate = 0, upload = 0, draw = 0, first = 0;
+  std::vector<Osd::LevelTime> levels{};
 };
 
 Orbit cameraOf(const Show& show, std::int32_t picture) {
@@ -69,6 +71,7 @@ Result<void> pose(Show& show, std::int32_t frame, Times& times) {
   show.backend.took(posed->evaluate + posed->upload);
   times.evaluate += posed->evaluate;
   times.upload += posed->upload;
+  times.levels = std::move(posed->levels);
   return {};
 }
 
@@ -186,6 +189,7 @@ Result<void> printSummary(const Show& show, const Session& session, const Times&
                                     {"vertices", show.surface->refinement().last().topology.vertexCount()},
                                     {"build_ms", show.surface->buildMs()},
                                     {"evaluate_ms", times.evaluate / count},
+                                    {"device_levels", deviceLevels(times.levels)},
                                     {"upload_ms", times.upload / count},
                                     {"draw_ms", times.draw / count}};
   return printResult(jsonText(json));

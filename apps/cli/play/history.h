@@ -3,6 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <vector>
+
+#include "osd/vulkan/binding.h"
 
 namespace honeycomb::Cli::Play {
 
@@ -26,9 +29,11 @@ class History {
 /// What a frame took, milliseconds, and how far apart backends were, in units of the last place.
 struct FrameReport {
   double evaluate = 0, upload = 0, draw = 0;
+  std::vector<Osd::LevelTime> levels{};  ///< where a device refined
 };
 struct Histories {
   History evaluate, upload, draw, difference;
+  std::vector<Osd::LevelTime> levels;  ///< of the last frame; empty where the CPU refined it
 };
 
 }  // namespace honeycomb::Cli::Play

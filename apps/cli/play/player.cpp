@@ -115,6 +115,7 @@ void Player::report(const FrameReport& frame) {
   histories.evaluate.add(static_cast<float>(frame.evaluate));
   histories.upload.add(static_cast<float>(frame.upload));
   histories.draw.add(static_cast<float>(frame.draw));
+  histories.levels = frame.levels;
 }
 
 Orbit Player::view() const {

@@ -81,7 +81,9 @@ Result<std::unique_ptr<Viewer::Poses>> Stage::makePoses(const std::string& backe
   if (backend != kDeviceBackend) return onHeap(HostPoses::create(backend, surface, renderer_));
   return onHeap(Viewer::DevicePoses::create(
       context_->device(), surface.refinement(),
-      {surface.hasNormals(), {.pipelineCache = Osd::pipelineCacheIn(Io::cacheFolder(), context_->deviceName())}}));
+      {surface.hasNormals(),
+       true,
+       {.pipelineCache = Osd::pipelineCacheIn(Io::cacheFolder(), context_->deviceName())}}));
 }
 
 Result<Viewer::Poses*> Stage::poses(const std::string& backend) {

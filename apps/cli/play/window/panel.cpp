@@ -53,6 +53,10 @@ void layOutGraphs(const Player& player, const InterfaceFacts& facts) {
   ImGui::Text("%.1f frames a second", facts.framesPerSecond);
   ImGui::TextDisabled("%s", facts.device.c_str());
   plot("evaluate", histories.evaluate, milliseconds(histories.evaluate));
+  for (const Osd::LevelTime& level : histories.levels)
+    ImGui::TextDisabled("%s", fmt::format("  level {}{}  {:.2f} ms on the device", level.level,
+                                          level.limits ? " limits" : "", level.milliseconds)
+                                  .c_str());
   plot("upload", histories.upload, milliseconds(histories.upload));
   plot("draw", histories.draw, milliseconds(histories.draw));
   if (player.comparing)

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "apps/cli/json_text.h"
+#include "apps/cli/play/device_levels.h"
 #include "apps/cli/play/window/glfw.h"
 #include "apps/cli/play/window/window.h"
 
@@ -61,6 +62,7 @@ Result<void> playInWindow(const PlayCommand& command, const Session& session) {
                                {"frames_per_second", static_cast<double>(summary->frames) / summary->seconds},
                                {"first_picture_ms", summary->firstPictureMs},
                                {"evaluate_ms", player.histories.evaluate.median()},
+                               {"device_levels", deviceLevels(player.histories.levels)},
                                {"upload_ms", player.histories.upload.median()},
                                {"draw_ms", player.histories.draw.median()}}));
 }

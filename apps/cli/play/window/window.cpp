@@ -212,7 +212,7 @@ Result<void> Window::draw() {
   everDrawn_ = true;
   drawn_ = now;
   if (newPose_ || summary_.frames == 0) ++summary_.frames;
-  if (newPose_) player_.report({posed_.evaluate, posed_.upload, watch.milliseconds()});
+  if (newPose_) player_.report({posed_.evaluate, posed_.upload, watch.milliseconds(), posed_.levels});
   return {};
 }
 
