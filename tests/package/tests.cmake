@@ -12,7 +12,6 @@ endfunction()
 
 # example_test(NAME expected arguments...): configures, builds and runs examples/NAME, which must print what is expected.
 function(example_test name expected)
-  list(JOIN ARGN " " arguments)
   package_test(example_${name} ${CMAKE_CTEST_COMMAND} --build-and-test
     ${PROJECT_SOURCE_DIR}/examples/${name} ${CMAKE_CURRENT_BINARY_DIR}/package/${name}
     --build-generator ${CMAKE_GENERATOR} --build-noclean
