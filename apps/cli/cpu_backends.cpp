@@ -17,19 +17,23 @@ using Instructions = Osd::CpuEvaluator::Instructions;
 /// Three numbers a point.
 constexpr Osd::BufferDescriptor kPacked{};
 
-class CpuSurfaceEvaluator : public SurfaceEvaluator {
+/// Single and double precision by one Own::evaluateAs<Real>.
+template <class Own>
+class EitherPrecision : public SurfaceEvaluator {
+ public:
+  Result<void> evaluate(std::span<const float> control, Surface<float>& surface) override {
+    return static_cast<Own&>(*this).template evaluateAs<float>(control, surface);
+  }
+  Result<void> evaluate(std::span<const double> control, Surface<double>& surface) override {
+    return static_cast<Own&>(*this).template evaluateAs<double>(control, surface);
+  }
+};
+
+class CpuSurfaceEvaluator : public EitherPrecision<CpuSurfaceEvaluator> {
  public:
   CpuSurfaceEvaluator(const SurfaceTables& tables, Normals normals, Osd::CpuEvaluator evaluator)
       : levels_(tables.levels), vertexCount_(tables.vertexCount), normals_(normals), evaluator_(std::move(evaluator)) {}
 
-  Result<void> evaluate(std::span<const float> control, Surface<float>& surface) override {
-    return evaluateAs<float>(control, surface);
-  }
-  Result<void> evaluate(std::span<const double> control, Surface<double>& surface) override {
-    return evaluateAs<double>(control, surface);
-  }
-
- private:
   template <class Real>
   Result<void> evaluateAs(std::span<const Real> control, Surface<Real>& surface) {
     surface.vertexCount = vertexCount_;
@@ -44,6 +48,7 @@ class CpuSurfaceEvaluator : public SurfaceEvaluator {
                                          Osd::PointsOut<Real>{surface.normals, kPacked});
   }
 
+ private:
   Far::LevelTables levels_;
   std::int32_t vertexCount_;
   Normals normals_;
@@ -51,19 +56,11 @@ class CpuSurfaceEvaluator : public SurfaceEvaluator {
 };
 
 /// Level after level, with fast normals.
-class FastNormalEvaluator : public SurfaceEvaluator {
+class FastNormalEvaluator : public EitherPrecision<FastNormalEvaluator> {
  public:
   FastNormalEvaluator(const Far::Refinement& refinement, Far::NormalTable table, Threads threads)
       : refinement_(refinement), table_(std::move(table)), evaluator_(threads) {}
 
-  Result<void> evaluate(std::span<const float> control, Surface<float>& surface) override {
-    return evaluateAs<float>(control, surface);
-  }
-  Result<void> evaluate(std::span<const double> control, Surface<double>& surface) override {
-    return evaluateAs<double>(control, surface);
-  }
-
- private:
   template <class Real>
   Result<void> evaluateAs(std::span<const Real> control, Surface<Real>& surface) {
     surface.vertexCount = refinement_.last().topology.vertexCount();
@@ -76,13 +73,14 @@ class FastNormalEvaluator : public SurfaceEvaluator {
     return done;
   }
 
+ private:
   const Far::Refinement& refinement_;
   Far::NormalTable table_;
   Osd::NormalEvaluator evaluator_;
 };
 
 /// A frame after another by tiles, which are built once and shared.
-class TileSurfaceEvaluator : public SurfaceEvaluator {
+class TileSurfaceEvaluator : public EitherPrecision<TileSurfaceEvaluator> {
  public:
   TileSurfaceEvaluator(const SurfaceTables& tables, std::shared_ptr<const Far::TileTable> tiles,
                        Osd::CpuEvaluator::Threads threads)
@@ -91,14 +89,6 @@ class TileSurfaceEvaluator : public SurfaceEvaluator {
         tiles_(std::move(tiles)),
         evaluator_({.threads = threads}) {}
 
-  Result<void> evaluate(std::span<const float> control, Surface<float>& surface) override {
-    return evaluateAs<float>(control, surface);
-  }
-  Result<void> evaluate(std::span<const double> control, Surface<double>& surface) override {
-    return evaluateAs<double>(control, surface);
-  }
-
- private:
   template <class Real>
   Result<void> evaluateAs(std::span<const Real> control, Surface<Real>& surface) {
     surface.vertexCount = vertexCount_;
@@ -107,6 +97,7 @@ class TileSurfaceEvaluator : public SurfaceEvaluator {
                                      Osd::PointsOut<Real>{surface.points, kPacked});
   }
 
+ private:
   Far::LevelTables levels_;
   std::int32_t vertexCount_;
   std::shared_ptr<const Far::TileTable> tiles_;

@@ -10,7 +10,6 @@
 #include "apps/cli/chain.h"
 #include "io/mdd.h"
 #include "io/pc2.h"
-#include "io/scene/scene_format.h"
 
 namespace honeycomb::Cli {
 namespace {
@@ -28,7 +27,7 @@ constexpr std::array kCacheInputs{CacheInput{".pc2", openReader<Io::Pc2Reader>},
 template <class Table>
 auto byExtension(const Table& table, std::string_view kind, const std::filesystem::path& path)
     -> Result<decltype(&table[0])> {
-  const std::string extension = Io::lowerExtension(path);
+  const std::string extension = lowerExtension(path);
   for (const auto& format : table)
     if (format.name == extension) return &format;
   return fail(ErrorCode::invalidOption,
@@ -43,12 +42,6 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
 }
 
 }  // namespace
-
-std::string lowerExtension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 std::string animatedInputHelp() {
   return fmt::format("Control mesh ({}), or a mesh a frame: 'name_%04d.obj', 'name_*.ply'", meshInputNames());

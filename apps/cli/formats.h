@@ -13,9 +13,11 @@
 #include "io/mesh.h"
 #include "io/mesh_formats.h"
 #include "io/obj.h"
+#include "io/scene/scene_format.h"
 
 namespace honeycomb::Cli {
 
+using Io::lowerExtension;
 using Io::meshInputNames;
 using Io::meshReader;
 using Io::ReadMesh;
@@ -31,9 +33,6 @@ struct CacheInput {
 
 /// The kind of a point cache to be read, by its extension. Errors: invalidOption, listing them.
 Result<const CacheInput*> cacheInput(const std::filesystem::path& path);
-
-/// The extension with its dot, in lower case.
-std::string lowerExtension(const std::filesystem::path& path);
 
 /// Can the output be what the user wants, as far as can be told before the work is done: in a folder that is there and
 /// can be written, no folder itself, and none of the inputs. Errors: unwritable, invalidOption.

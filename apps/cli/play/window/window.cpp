@@ -5,6 +5,7 @@
 #include <imgui_impl_glfw.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "apps/cli/play/comparison.h"
 #include "apps/cli/play/window/glfw.h"
@@ -168,7 +169,7 @@ Result<void> Window::pose() {
   while (!posed && posed.error().code != ErrorCode::deviceLost && player_.backendFailed(posed.error()))
     posed = stage_->pose(player_.backend.current(), frame);
   if (!posed) return tl::unexpected(posed.error());
-  posed_ = *posed;
+  posed_ = std::move(*posed);
   posedFrame_ = frame;
   posedBackend_ = player_.backend.current();
   if (Viewer::looks()[player_.appearance.look].flatness)
