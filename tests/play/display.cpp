@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <vector>
@@ -24,12 +25,10 @@ std::string readLine(int pipe) {
   return line;
 }
 
-/// The words of an XWD header (X11/XWDFile.h), big-endian.
-std::uint32_t wordOf(const std::vector<char>& bytes, std::size_t i) {
-  std::uint32_t word = 0;
-  for (std::size_t k = 0; k < 4; ++k) word = (word << 8) | static_cast<unsigned char>(bytes[4 * i + k]);
-  return word;
-}
+constexpr std::size_t kScreenWidth = 640;
+constexpr std::size_t kScreenHeight = 480;
+constexpr std::size_t kPixelBytes = 4;  // blue, green, red and nothing
+constexpr std::size_t kRowBytes = kScreenWidth * kPixelBytes;
 
 }  // namespace
 
@@ -43,8 +42,9 @@ std::unique_ptr<Display> Display::open(const std::filesystem::path& folder) {
     ::close(ends[0]);
     const int nothing = ::open("/dev/null", O_WRONLY);
     dup2(nothing, STDERR_FILENO);
-    execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "640x480x24", "-nolisten", "tcp", "-nocursor",
-           "-fbdir", folder.c_str(), nullptr);
+    const std::string screen = std::to_string(kScreenWidth) + "x" + std::to_string(kScreenHeight) + "x24";
+    execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", screen.c_str(), "-nolisten", "tcp",
+           "-nocursor", "-fbdir", folder.c_str(), nullptr);
     _exit(127);
   }
   ::close(ends[1]);
@@ -63,15 +63,15 @@ Viewer::Picture Display::pixels(std::int32_t width, std::int32_t height) const {
   std::ifstream file(screen_, std::ios::binary);
   std::vector<char> bytes(std::filesystem::file_size(screen_));
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (bytes.size() < 100) return {};
-  constexpr std::size_t kColourBytes = 12;
-  const std::size_t start = wordOf(bytes, 0) + kColourBytes * wordOf(bytes, 19);
-  const std::size_t row = wordOf(bytes, 12);
+  // The pixels are the end of the file. Its header can't be asked: the server turns it to the machine's byte order and
+  // back, in place, whenever a window brings another colormap.
+  if (bytes.size() < kScreenHeight * kRowBytes) return {};
+  const std::size_t start = bytes.size() - kScreenHeight * kRowBytes;
   Viewer::Picture picture{width, height, {}};
   for (std::int32_t y = 0; y < height; ++y)
     for (std::int32_t x = 0; x < width; ++x) {
-      // 32 bits a pixel: blue, green, red.
-      const std::size_t at = start + row * static_cast<std::size_t>(y) + 4 * static_cast<std::size_t>(x);
+      const std::size_t at =
+          start + kRowBytes * static_cast<std::size_t>(y) + kPixelBytes * static_cast<std::size_t>(x);
       for (const std::size_t channel : {2, 1, 0})
         picture.rgba.push_back(static_cast<std::uint8_t>(bytes.at(at + channel)));
       picture.rgba.push_back(255);

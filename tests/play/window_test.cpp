@@ -1,3 +1,5 @@
+#include <signal.h>
+
 #include <chrono>
 #include <functional>
 #include <thread>
@@ -34,7 +36,13 @@ class WindowTest : public Workplace {
   void TearDown() override { close(); }
   void close() {
     if (child <= 0) return;
-    display->act("key q");
+    // A window that isn't there yet hears no key.
+    const bool ended = becomes([this] {
+      display->act("key q");
+      return hasEnded(child);
+    });
+    EXPECT_TRUE(ended) << "q closes the window";
+    if (!ended) kill(child, SIGKILL);
     EXPECT_EQ(wait(std::exchange(child, 0)).exitCode, 0);
   }
 
