@@ -22,10 +22,10 @@ struct RandomMesh {
 RandomMesh randomMesh(std::uint64_t seed, Border border);
 
 /// How many random meshes (or sides of a face) a test takes that wants `count`: sanitizers slow it down several times,
-/// and get a quarter.
+/// and get an eighth.
 constexpr std::uint64_t meshes(std::uint64_t count) {
 #ifdef HONEYCOMB_SANITIZED
-  return (count + 3) / 4;
+  return (count + 7) / 8;
 #else
   return count;
 #endif
