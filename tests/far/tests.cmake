@@ -61,6 +61,10 @@ honeycomb_library(test_support STATIC
   ${CMAKE_CURRENT_LIST_DIR}/../support/table_rows.cpp)
 target_link_libraries(honeycomb_test_support PUBLIC honeycomb::far honeycomb::osd)
 target_compile_definitions(honeycomb_test_support PRIVATE HONEYCOMB_TEST_DATA="${CMAKE_CURRENT_LIST_DIR}/../golden")
+# The tests' own refinements and their damaged, random and golden meshes: half of what tests take under sanitizers.
+if(HONEYCOMB_SANITIZE)
+  target_compile_options(honeycomb_test_support PRIVATE -O1)
+endif()
 
 honeycomb_test(far_tests
   SHARDS 8
