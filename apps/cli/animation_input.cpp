@@ -17,7 +17,7 @@ Result<std::shared_ptr<const Io::FrameSource>> openFrames(const AnimationOptions
     return fail(ErrorCode::invalidOption,
                 fmt::format("{}: holds one pose only; name its animation with --cache FILE.pc2 (or .mdd)", input.file));
   }
-  const auto format = cacheInput(options.cache);
+  const auto format = pointCache(options.cache);
   if (!format) return tl::unexpected(format.error());
   auto cache = (*format)->open(options.cache);
   if (!cache) return tl::unexpected(inFile(options.cache, cache.error()));

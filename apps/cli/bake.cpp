@@ -13,7 +13,6 @@
 #include "apps/cli/formats.h"
 #include "apps/cli/interrupt.h"
 #include "apps/cli/json_text.h"
-#include "apps/cli/mesh_output.h"
 #include "apps/cli/primvars.h"
 #include "apps/cli/ranks.h"
 #include "apps/cli/surface_options.h"

@@ -8,7 +8,6 @@
 
 #include "apps/cli/chain.h"
 #include "apps/cli/formats.h"
-#include "apps/cli/mesh_output.h"
 #include "io/glb_writer.h"
 #include "io/mdd_writer.h"
 #include "io/pc2.h"

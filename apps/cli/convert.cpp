@@ -11,7 +11,6 @@
 #include "apps/cli/interrupt.h"
 #include "apps/cli/json_text.h"
 #include "apps/cli/mesh_input.h"
-#include "apps/cli/mesh_output.h"
 #include "far/base/index.h"
 #include "far/conversions/bricks.h"
 #include "far/conversions/conversions.h"

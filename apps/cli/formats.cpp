@@ -3,36 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <system_error>
 
-#include "apps/cli/chain.h"
-#include "io/mdd.h"
-#include "io/pc2.h"
-
 namespace honeycomb::Cli {
 namespace {
-
-template <class Reader>
-Result<std::shared_ptr<const Io::FrameSource>> openReader(const std::filesystem::path& path) {
-  Result<Reader> reader = Reader::open(path);
-  if (!reader) return tl::unexpected(reader.error());
-  return std::make_shared<const Reader>(std::move(*reader));
-}
-
-constexpr std::array kCacheInputs{CacheInput{".pc2", openReader<Io::Pc2Reader>},
-                                  CacheInput{".mdd", openReader<Io::MddReader>}};
-
-template <class Table>
-auto byExtension(const Table& table, std::string_view kind, const std::filesystem::path& path)
-    -> Result<decltype(&table[0])> {
-  const std::string extension = lowerExtension(path);
-  for (const auto& format : table)
-    if (format.name == extension) return &format;
-  return fail(ErrorCode::invalidOption,
-              fmt::format("{}: {} files end in {}; give a file of that kind", path.string(), kind, names(table)));
-}
 
 bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
   std::error_code ignored;
@@ -45,10 +20,6 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
 
 std::string animatedInputHelp() {
   return fmt::format("Control mesh ({}), or a mesh a frame: 'name_%04d.obj', 'name_*.ply'", meshInputNames());
-}
-
-Result<const CacheInput*> cacheInput(const std::filesystem::path& path) {
-  return byExtension(kCacheInputs, "point cache", path);
 }
 
 Result<void> checkOutput(const std::filesystem::path& output, std::span<const std::filesystem::path> inputs) {

@@ -12,27 +12,23 @@
 #include "io/frame_source.h"
 #include "io/mesh.h"
 #include "io/mesh_formats.h"
+#include "io/mesh_output.h"
 #include "io/obj.h"
+#include "io/point_cache.h"
 #include "io/scene/scene_format.h"
 
 namespace honeycomb::Cli {
 
 using Io::lowerExtension;
 using Io::meshInputNames;
+using Io::MeshOutput;
+using Io::meshOutput;
 using Io::meshReader;
+using Io::pointCache;
 using Io::ReadMesh;
 
 /// What the help of a command that plays says of its input: those, or a mesh a frame.
 std::string animatedInputHelp();
-
-/// A kind of point cache that can be read. A new one is one line of the table in formats.cpp.
-struct CacheInput {
-  std::string_view name;  ///< the extension with its dot, in lower case
-  Result<std::shared_ptr<const Io::FrameSource>> (*open)(const std::filesystem::path&);
-};
-
-/// The kind of a point cache to be read, by its extension. Errors: invalidOption, listing them.
-Result<const CacheInput*> cacheInput(const std::filesystem::path& path);
 
 /// Can the output be what the user wants, as far as can be told before the work is done: in a folder that is there and
 /// can be written, no folder itself, and none of the inputs. Errors: unwritable, invalidOption.

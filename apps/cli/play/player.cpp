@@ -68,7 +68,7 @@ void Player::change(SurfaceRequest request) {
 void Player::openFile(const std::string& path) {
   SurfaceRequest request = request_;
   request.animation.frames.clear();
-  if (cacheInput(path)) {
+  if (pointCache(path)) {
     request.animation.cache = path;
   } else {
     request.surface.input = path;

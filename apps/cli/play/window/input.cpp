@@ -82,7 +82,7 @@ void WindowInput::onDrop(GLFWwindow* window, int count, const char** paths) {
   // A mesh and its cache may be dropped together, in any order.
   for (const bool caches : {false, true})
     for (int i = 0; i < count; ++i)
-      if (cacheInput(paths[i]).has_value() == caches) player.openFile(paths[i]);
+      if (pointCache(paths[i]).has_value() == caches) player.openFile(paths[i]);
 }
 
 }  // namespace honeycomb::Cli::Play

@@ -6,18 +6,18 @@
 #include "far/base/result.h"
 #include "io/obj.h"
 
-namespace honeycomb::Cli {
+namespace honeycomb::Io {
 
 /// A file format that meshes are written in. A new one is one line of the table in mesh_output.cpp.
 struct MeshOutput {
   std::string_view name;  ///< the extension with its dot, in lower case
-  Result<void> (*writeSingle)(const std::filesystem::path&, const Io::ObjContent<float>&);
-  Result<void> (*writeDouble)(const std::filesystem::path&, const Io::ObjContent<double>&);
+  Result<void> (*writeSingle)(const std::filesystem::path&, const ObjContent<float>&);
+  Result<void> (*writeDouble)(const std::filesystem::path&, const ObjContent<double>&);
 
-  Result<void> write(const std::filesystem::path& path, const Io::ObjContent<float>& content) const {
+  Result<void> write(const std::filesystem::path& path, const ObjContent<float>& content) const {
     return writeSingle(path, content);
   }
-  Result<void> write(const std::filesystem::path& path, const Io::ObjContent<double>& content) const {
+  Result<void> write(const std::filesystem::path& path, const ObjContent<double>& content) const {
     return writeDouble(path, content);
   }
 };
@@ -26,4 +26,4 @@ struct MeshOutput {
 /// the formats.
 Result<const MeshOutput*> meshOutput(const std::filesystem::path& path);
 
-}  // namespace honeycomb::Cli
+}  // namespace honeycomb::Io
