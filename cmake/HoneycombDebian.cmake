@@ -1,5 +1,5 @@
-# `cpack` in a build folder makes two Debian packages: honeycomb (the program; the libraries where they are shared) and
-# libhoneycomb-dev.
+# `cpack` in a build folder makes Debian packages: honeycomb (the program; the libraries where they are shared),
+# libhoneycomb-dev and python3-honeycomb.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME honeycomb)
 set(CPACK_PACKAGE_CONTACT "The Honeycomb project")
@@ -19,6 +19,18 @@ set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Honeycomb subdivision of meshes and ani
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libhoneycomb-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Honeycomb subdivision, libraries and headers")
+if(TARGET honeycomb_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  get_target_property(version honeycomb_python HONEYCOMB_INTERPRETER_VERSION)
+  string(REGEX REPLACE ".*\\." "" minor ${version})
+  math(EXPR next "${minor} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-honeycomb)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${version}), python3 (<< 3.${next}), python3-numpy")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Honeycomb subdivision of meshes for Python: arrays of numpy, point caches")
+endif()
+
 # What the installed CMake and pkg-config files ask for.
 set(needs libexpected-dev libfmt-dev libhwy-dev)
 if(HONEYCOMB_THREADS STREQUAL "tbb")

@@ -30,8 +30,11 @@ package_test(package_headers ${CMAKE_COMMAND} -DMOVED=${moved} -DCOMPILER=${CMAK
 package_test(package_pkg_config ${script}/pkg_config.sh ${moved} ${moved}/${CMAKE_INSTALL_LIBDIR}/pkgconfig
              ${PROJECT_SOURCE_DIR}/examples/cpu_playback/main.cpp ${CMAKE_CXX_COMPILER})
 set_tests_properties(package_pkg_config PROPERTIES PASS_REGULAR_EXPRESSION "72 frames, .* ms each")
+if(TARGET honeycomb_python)
+  get_target_property(interpreter honeycomb_python HONEYCOMB_INTERPRETER)
+endif()
 package_test(package_debian ${script}/debian.sh ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR}/package/debian
-             ${CMAKE_INSTALL_DATADIR})
+             ${CMAKE_INSTALL_DATADIR} ${interpreter})
 
 package_test(package_pkg_config_c ${script}/pkg_config_c.sh ${moved} ${moved}/${CMAKE_INSTALL_LIBDIR}
              ${PROJECT_SOURCE_DIR}/examples/c_playback/main.c)
@@ -45,4 +48,18 @@ if(TARGET honeycomb::osd_vulkan)
 endif()
 if(TARGET honeycomb::interop)
   example_test(opensubdiv_migration "Honeycomb frame 3: 216 vertices")
+endif()
+if(TARGET honeycomb_python)
+  set(playback ${PROJECT_SOURCE_DIR}/examples/python_playback/playback.py)
+  set(python ${CMAKE_COMMAND} -E env PYTHONPATH=${moved}/${HONEYCOMB_PYTHON_FOLDER} ${interpreter} -B)
+  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/package/python_playback)
+  # With matplotlib, where it is, and without.
+  package_test(example_python_playback ${python} ${playback} ${assets}/creature.obj ${assets}/creature.pc2)
+  package_test(example_python_playback_obj ${python} ${script}/playback_without_matplotlib.py ${playback}
+               ${assets}/creature.obj ${assets}/creature.pc2 1)
+  set_tests_properties(example_python_playback example_python_playback_obj PROPERTIES
+    WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/package/python_playback)
+  set_tests_properties(example_python_playback PROPERTIES
+    PASS_REGULAR_EXPRESSION "72 frames, .* ms each, coordinates from .*playback.(png|obj)")
+  set_tests_properties(example_python_playback_obj PROPERTIES PASS_REGULAR_EXPRESSION "3222 vertices and 1613 faces")
 endif()
