@@ -25,8 +25,8 @@ def refine(mesh: Mesh, scheme: str = "akleman", levels: int = 0, **options: Any)
 def bake(tables: Tables, frames: Iterable[NDArray[np.float32]], path: Union[str, "os.PathLike[str]"], *,
          count: Optional[int] = None, start: Optional[float] = None, rate: Optional[float] = None,
          frames_per_second: Optional[float] = None, backend: _Backend = "auto") -> int:
-    """Refines control points frame by frame into a point cache (.pc2, .mdd), which has its name only when it is whole.
-    Returns how many frames there were.
+    """Refines control points frame by frame into a point cache (.pc2, .mdd) of the last level's vertices, which has its
+    name only when it is whole. Returns how many frames there were.
 
     frames             arrays of control points, float32 and (tables.control_points, 3): Frames, a list, a generator ..
     count              how many there are, where len(frames) doesn't say
@@ -45,8 +45,10 @@ def bake(tables: Tables, frames: Iterable[NDArray[np.float32]], path: Union[str,
             times[name] = getattr(frames, name)
     evaluator = Evaluator(tables, backend)
     refined = np.empty((tables.counts().points, 3), np.float32)
+    vertices = refined[:tables.counts().vertices]
     given = {name: time for name, time in times.items() if time is not None}
-    with FrameWriter(path, len(refined), count, **given) as writer:
+    with FrameWriter(path, len(vertices), count, **given) as writer:
         for control in frames:
-            writer.write(evaluator.refine(control, out=refined))
+            evaluator.refine(control, out=refined)
+            writer.write(vertices)
     return count

@@ -14,7 +14,7 @@ import scenes
 ROOT, BUILD, HONEYCOMB = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 PAGES = markdown.pages(ROOT)
 # Blocks in these run (cpp: extract_code.py); those without a language are pictures in letters. Others say why not.
-RUN, SHOWN = {"sh", "cpp"}, {"", "text"}
+RUN, SHOWN = {"sh", "cpp", "python"}, {"", "text"}
 # The options of other programs that pages name by themselves.
 ELSEWHERE = {"--gtest_filter"}
 FOLDERS = {path.name for path in ROOT.iterdir() if path.is_dir()} - {"build", "out"}
@@ -151,17 +151,25 @@ class Blocks(unittest.TestCase):
                 lines[block.language, block.rule == "not run"] += len(block.code.splitlines())
         self.assertGreater(lines["sh", False], lines["sh", True], "more commands are left out than run")
         self.assertGreater(lines["cpp", False], 0, "no C++ is compiled")
+        self.assertGreater(lines["python", False], 0, "no Python runs")
 
     def test_commands_run(self):
+        self.run_language("sh", self.run_commands)
+
+    def test_python_runs(self):
+        self.run_language("python", self.run_python)
+
+    def run_language(self, language, run):
+        """A page's blocks, one after another in one process, in a folder that looks like a built repository with the
+        reader's own files in it."""
         for page in PAGES:
-            blocks = [block for block in page.blocks if block.language == "sh" and block.rule != "not run"]
+            blocks = [block for block in page.blocks if block.language == language and block.rule != "not run"]
             if blocks:
                 with self.subTest(page.name), tempfile.TemporaryDirectory() as folder:
-                    self.run_blocks(blocks, pathlib.Path(folder))
+                    self.fill(pathlib.Path(folder))
+                    run(blocks, pathlib.Path(folder))
 
-    def run_blocks(self, blocks, folder):
-        """A page's blocks, one after another in one shell, in a folder that looks like a built repository with the
-        reader's own files in it; `honeycomb` is on the path."""
+    def fill(self, folder):
         for name in ("assets", "bench"):
             (folder / name).symlink_to(ROOT / name)
         (folder / "build").mkdir()
@@ -170,6 +178,20 @@ class Blocks(unittest.TestCase):
             (folder / name).symlink_to(ROOT / "assets" / name)
         scenes.write_soldier(folder / "soldier.gltf")
         scenes.write_cloth(folder)
+
+    def run_python(self, blocks, folder):
+        """By the interpreter that runs this, for which the module is built."""
+        script = "known = {}\n"
+        for block in blocks:
+            # Errors name the page and the line.
+            code = "\n" * (block.line - 1) + block.runnable()
+            script += f"exec(compile({code!r}, {block.page!r}, 'exec'), known)\n"
+        done = subprocess.run([sys.executable, "-B", "-c", script], cwd=folder, capture_output=True, text=True, check=False,
+                              env={**os.environ, "PYTHONPATH": str(BUILD / "python")}, timeout=200)
+        self.assertEqual(0, done.returncode, done.stderr[-2000:])
+
+    def run_commands(self, blocks, folder):
+        """`honeycomb` is on the path."""
         script = "set -euo pipefail; trap 'echo \"$block: failed: $BASH_COMMAND\" >&2' ERR\n"
         script += "bin=build/release/apps/cli/honeycomb\n"
         script += "".join(f"block={block.place}\n{block.runnable()}\n" for block in blocks)

@@ -1,4 +1,5 @@
-# README.md and docs/: links, options, every block of sh run in a scratch folder, every block of cpp compiled and run.
+# README.md and docs/: links, options, every block of sh and python run in a scratch folder, every block of cpp compiled and
+# run.
 find_package(Python3 COMPONENTS Interpreter)
 if(NOT Python3_Interpreter_FOUND OR HONEYCOMB_SANITIZE)
   return()
@@ -29,7 +30,9 @@ foreach(source IN LISTS docs_programs)
 endforeach()
 
 # The pages speak of a build with everything in it.
-if(HONEYCOMB_APPS AND HONEYCOMB_VULKAN AND TARGET honeycomb::interop AND TARGET assimp::assimp AND TARGET honeycomb_mpi)
-  add_test(NAME docs_test COMMAND ${docs_python} ${CMAKE_CURRENT_LIST_DIR}/docs_test.py
+if(HONEYCOMB_APPS AND HONEYCOMB_VULKAN AND TARGET honeycomb::interop AND TARGET assimp::assimp AND TARGET honeycomb_mpi
+   AND TARGET honeycomb_python)
+  get_target_property(interpreter honeycomb_python HONEYCOMB_INTERPRETER)
+  add_test(NAME docs_test COMMAND ${interpreter} -B ${CMAKE_CURRENT_LIST_DIR}/docs_test.py
                                   ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} $<TARGET_FILE:honeycomb>)
 endif()
