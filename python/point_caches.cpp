@@ -84,17 +84,15 @@ class FrameWriter {
   }
 
   void finish() {
-    run([&](Io::StreamWriter& writer) {
-      const Result<void> finished = writer.finish();
-      writer_.reset();
-      return finished;
-    });
+    run([&](Io::StreamWriter& writer) { return end(writer); });
   }
 
   /// The end of a with block: whole, or nothing.
   void leave(const py::object& exception, const py::object&, const py::object&) {
-    if (exception.is_none()) return finish();
-    run([&](Io::StreamWriter&) -> Result<void> {
+    const bool whole = exception.is_none();
+    unlockedResult([&]() -> Result<void> {
+      const std::scoped_lock alone(busy_);
+      if (writer_ && whole) return end(*writer_);
       writer_.reset();
       return {};
     });
@@ -109,6 +107,12 @@ class FrameWriter {
       if (!writer_) return Capi::refuse("this writer is done; make another FrameWriter");
       return call(*writer_);
     });
+  }
+
+  Result<void> end(Io::StreamWriter& writer) {
+    const Result<void> finished = writer.finish();
+    writer_.reset();
+    return finished;
   }
 
   std::int32_t points_;

@@ -75,6 +75,10 @@ class Writer(Folder):
         np.testing.assert_array_equal(CUBE_POINTS * 2, honeycomb.Frames(path)[-1])
         with self.assertRaisesRegex(honeycomb.Error, "make another FrameWriter"):
             writer.write(CUBE_POINTS)
+        with honeycomb.FrameWriter(path, points=8, frames=1) as again:
+            again.write(CUBE_POINTS)
+            again.finish()
+        self.assertEqual(1, len(honeycomb.Frames(path)))
 
     def test_refuses_what_is_no_frame(self):
         with self.assertRaisesRegex(RuntimeError, "stop"), \
