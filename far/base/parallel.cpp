@@ -14,7 +14,7 @@ namespace honeycomb::Parallel {
 
 namespace {
 
-int hardwareThreads() {
+[[maybe_unused]] int hardwareThreads() {  // nobody asks in a build without threads
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
