@@ -157,9 +157,9 @@ class TileProof {
   template <class Frames>
   static bool areFrames(const Frames& frames, std::int32_t each, std::span<const TilePoint> indices,
                         std::int64_t weights, std::int32_t points) {
+    if (frames.sides < 0 || frames.sides > kMostTilePoints || frames.count < 0) return false;
     const std::int64_t read = std::int64_t{frames.count} * each * frames.sides;
-    return frames.sides >= 0 && frames.sides <= kMostTilePoints && frames.count >= 0 &&
-           liesWithin(frames.firstWeight, 3 * std::int64_t{frames.sides}, weights) &&
+    return liesWithin(frames.firstWeight, 3 * std::int64_t{frames.sides}, weights) &&
            liesWithin(frames.firstIndex, read, std::ssize(indices)) &&
            areTilePoints(indices.subspan(at(frames.firstIndex), at(read)), points);
   }
@@ -269,8 +269,8 @@ Result<void> proveTotals(const TileTable& tiles) {
   Share exactFrames(tiles.limits.frames.size()), points(tiles.limits.indices.size());
   for (const TileLimits::Range& range : tiles.limits.tiles) exactFrames.take(range.framesCount);
   for (const TileVertexFrames& some : tiles.limits.frames)
-    points.take(std::int64_t{some.count} * std::min(some.each, kLargestCirculant) *
-                std::min(some.sides, kMostTilePoints));
+    points.take(std::int64_t{some.count} * std::clamp(some.each, 0, kLargestCirculant) *
+                std::clamp(some.sides, 0, kMostTilePoints));
   for (const Share& share :
        {imports, steps, stages, rows, indices, normalImports, frames, corners, exactFrames, points}) {
     if (!share.suffices()) return unsoundTiles("they take more of their arrays than there is");

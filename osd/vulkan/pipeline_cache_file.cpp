@@ -49,14 +49,21 @@ FileHeader headerOf(const PipelineCacheKey& key, std::span<const std::byte> data
   return header;
 }
 
+/// VkPipelineCacheHeaderVersionOne with a number for its enum, of which not every number is a value.
+struct DriverHeader {
+  std::uint32_t headerSize = 0, headerVersion = 0, vendor = 0, device = 0;
+  std::array<std::uint8_t, VK_UUID_SIZE> cacheUuid{};
+};
+static_assert(sizeof(DriverHeader) == sizeof(VkPipelineCacheHeaderVersionOne));
+
 /// Drivers should check this themselves; some crash instead.
 bool startsWithDriverHeader(std::span<const std::byte> data, const PipelineCacheKey& key) {
-  VkPipelineCacheHeaderVersionOne header{};
+  DriverHeader header;
   if (data.size() < sizeof(header)) return false;
   std::memcpy(&header, data.data(), sizeof(header));
   return header.headerSize >= sizeof(header) && header.headerSize <= data.size() &&
-         header.headerVersion == VK_PIPELINE_CACHE_HEADER_VERSION_ONE && header.vendorID == key.vendor &&
-         header.deviceID == key.device && std::ranges::equal(header.pipelineCacheUUID, key.cacheUuid);
+         header.headerVersion == VK_PIPELINE_CACHE_HEADER_VERSION_ONE && header.vendor == key.vendor &&
+         header.device == key.device && header.cacheUuid == key.cacheUuid;
 }
 
 bool readBytes(std::ifstream& stream, void* target, std::size_t bytes) {

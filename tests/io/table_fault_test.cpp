@@ -33,29 +33,6 @@ const Bytes& smallTable() {
   return smallTable(Far::TileNormalKind::exact);
 }
 
-/// Does all that can be done with a file. What is wrong with it, if anything.
-Result<void> useAll(const Bytes& bytes) {
-  const auto file = readTable(bytes);
-  if (!file) return tl::unexpected(file.error());
-  const auto mesh = file->mesh();
-  const auto levels = file->levels();
-  const auto tiles = file->tiles();
-  // How many control points it reads is the caller's to judge.
-  if (levels && levels->pointCount(0) < 1000) {
-    const std::vector<float> points = pointsBy(Osd::SerialEvaluator(), *levels);
-    static_cast<void>(pointsBy(Osd::SimdEvaluator(), *levels));
-    if (file->hasLimits()) static_cast<void>(limitNormals(*levels, points));
-    if (tiles && *tiles != nullptr) {
-      static_cast<void>(pointsByTiles(*levels, **tiles, Osd::CpuEvaluator::Instructions::plain));
-      static_cast<void>(pointsByTiles(*levels, **tiles, Osd::CpuEvaluator::Instructions::vectors));
-    }
-  }
-  if (!levels) return tl::unexpected(levels.error());
-  if (!tiles) return tl::unexpected(tiles.error());
-  if (!mesh) return tl::unexpected(mesh.error());
-  return {};
-}
-
 std::string messageOf(const Bytes& bytes) {
   const Result<void> used = useAll(bytes);
   return used ? "" : used.error().message;

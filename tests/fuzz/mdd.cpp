@@ -1,0 +1,11 @@
+#include "io/mdd.h"
+
+#include "tests/fuzz/read_frames.h"
+
+namespace honeycomb::Fuzz {
+
+bool mdd(Bytes bytes) {
+  return readFrames<Io::MddReader>(bytes);
+}
+
+}  // namespace honeycomb::Fuzz

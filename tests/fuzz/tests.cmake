@@ -1,0 +1,40 @@
+# Hostile bytes for everything that reads them. With HONEYCOMB_FUZZ (the preset fuzz) a program of libFuzzer's for each
+# target and no other tests; tests/fuzz/run runs them. Else one program, in which ctest tries the same mutations every time.
+
+# fuzz_target(NAME ROUNDS n SOURCES files... LIBRARIES targets...): NAME.cpp and its seeds in seeds/NAME; n mutations
+# in ctest, a quarter under sanitizers.
+set(fuzz_folder ${CMAKE_CURRENT_LIST_DIR})
+function(fuzz_target name)
+  cmake_parse_arguments(FUZZ "" "ROUNDS" "SOURCES;LIBRARIES" ${ARGN})
+  set(sources ${name}.cpp ${FUZZ_SOURCES})
+  list(TRANSFORM sources PREPEND ${fuzz_folder}/)
+  if(HONEYCOMB_FUZZ)
+    honeycomb_program(fuzz_${name} ${sources} ${fuzz_folder}/expect.cpp ${fuzz_folder}/libfuzzer.cpp)
+    target_link_libraries(fuzz_${name} PRIVATE ${FUZZ_LIBRARIES})
+    target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+    target_compile_definitions(fuzz_${name} PRIVATE HONEYCOMB_FUZZ_TARGET=${name})
+    return()
+  endif()
+  if(HONEYCOMB_SANITIZE)
+    math(EXPR FUZZ_ROUNDS "${FUZZ_ROUNDS} / 4")
+  endif()
+  target_sources(fuzz_test PRIVATE ${sources})
+  target_link_libraries(fuzz_test PRIVATE ${FUZZ_LIBRARIES})
+  add_test(NAME fuzz.${name} COMMAND fuzz_test ${name} ${fuzz_folder}/seeds/${name} ${FUZZ_ROUNDS})
+  set_tests_properties(fuzz.${name} PROPERTIES TIMEOUT 300)
+endfunction()
+
+if(NOT HONEYCOMB_FUZZ)
+  honeycomb_program(fuzz_test ${fuzz_folder}/driver.cpp ${fuzz_folder}/expect.cpp ${fuzz_folder}/mutate.cpp)
+  add_dependencies(tests_all fuzz_test)
+endif()
+
+fuzz_target(obj ROUNDS 8000 SOURCES read_mesh.cpp LIBRARIES honeycomb::io)
+fuzz_target(ply ROUNDS 8000 SOURCES read_mesh.cpp LIBRARIES honeycomb::io)
+fuzz_target(pc2 ROUNDS 4000 LIBRARIES honeycomb::io)
+fuzz_target(mdd ROUNDS 4000 LIBRARIES honeycomb::io)
+fuzz_target(table ROUNDS 800 SOURCES ../support/random_tables.cpp LIBRARIES honeycomb::io honeycomb::osd)
+fuzz_target(arrays ROUNDS 2000 SOURCES arrays_call.cpp LIBRARIES honeycomb::c_static)
+if(HONEYCOMB_VULKAN)
+  fuzz_target(pipelines ROUNDS 4000 LIBRARIES honeycomb::osd_vulkan)
+endif()
