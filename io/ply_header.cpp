@@ -107,6 +107,9 @@ class PlyHeaderReader {
                               : std::from_chars_result{nullptr, std::errc::invalid_argument};
     if (!three || parsed.ec != std::errc() || parsed.ptr != words[2].data() + words[2].size() || element.count < 0)
       return failLine("is no element; write 'element NAME COUNT'");
+    const auto named = [&](const PlyElement& other) { return other.name == words[1]; };
+    if (std::ranges::any_of(header_.elements, named))
+      return failLine(fmt::format("is a second element '{}'; write all of a kind as one", words[1]));
     element.name = words[1];
     header_.elements.push_back(std::move(element));
     return {};

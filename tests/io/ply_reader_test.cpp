@@ -115,6 +115,8 @@ TEST(PlyReader, ErrorsOfTheHeaderNameTheirLine) {
   EXPECT_THAT(plyRefusal("ply\nformat ascii 1.0\nproperty float x\n"), HasSubstr("mesh.ply:3: is no property"));
   EXPECT_THAT(plyRefusal("ply\nformat ascii 1.0\nelement a 1\nproperty list float int x\n"),
               HasSubstr("mesh.ply:4: is no property"));
+  EXPECT_THAT(plyRefusal("ply\nformat ascii 1.0\nelement face 1\nelement face 1\n"),
+              HasSubstr("mesh.ply:4: is a second element 'face'"));
   EXPECT_THAT(plyRefusal("ply\nformat ascii 1.0\n"), HasSubstr("mesh.ply:2: the header has no end"));
 }
 
