@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
-#include <random>
 
 #include "io/table_directory.h"
 #include "tests/io/table_files.h"
@@ -66,13 +66,12 @@ TEST(TableFaults, EveryByteOfHeaderAndDirectoryIsGuarded) {
 TEST(TableFaults, EveryByteOfHeaderAndDirectoryMayLieUnderRightChecksums) {
   const Bytes& sound = smallTable();
   const std::size_t end = sizeof(TableHeader) + headerOf(sound).sectionCount * sizeof(TableEntry);
+  constexpr std::array kFlips = {std::byte{0x01}, std::byte{0x80}, std::byte{0xff}};
   for (std::size_t i = 0; i < end; ++i) {
-    for (const std::byte flip : {std::byte{0x01}, std::byte{0x80}, std::byte{0xff}}) {
-      Bytes bytes = sound;
-      bytes[i] ^= flip;
-      repair(bytes);
-      static_cast<void>(useAll(bytes));
-    }
+    Bytes bytes = sound;
+    bytes[i] ^= kFlips[i % kFlips.size()];
+    repair(bytes);
+    static_cast<void>(useAll(bytes));
   }
 }
 
@@ -99,8 +98,10 @@ TEST(TableFaults, AFlippedByteIsFoundByItsSectionsChecksum) {
   }
 }
 
-/// Every word of every section in turn is a number that leads somewhere else.
+/// Every word of every section in turn is a number that leads somewhere else; all numbers in all places are tried by
+/// the fuzz target (tests/fuzz/table.cpp).
 TEST(TableFaults, NoNumberLeadsOutOfTheFile) {
+  constexpr std::array<std::int32_t, 3> kElsewhere = {-1, 1 << 20, std::numeric_limits<std::int32_t>::max()};
   std::int64_t refused = 0;
   for (const auto normals : {Far::TileNormalKind::fast, Far::TileNormalKind::exact}) {
     const Bytes& sound = smallTable(normals);
@@ -110,29 +111,14 @@ TEST(TableFaults, NoNumberLeadsOutOfTheFile) {
       const std::size_t words = entry.count * entry.elementBytes / sizeof(std::int32_t);
       // The last words of long arrays tell nothing that the first ones don't.
       for (std::size_t w = 0; w < std::min<std::size_t>(words, 48); ++w) {
-        for (const std::int32_t value : {-1, 1 << 20, std::numeric_limits<std::int32_t>::max()}) {
-          Bytes bytes = sound;
-          std::memcpy(bytes.data() + entry.offset + w * sizeof(value), &value, sizeof(value));
-          if (!useAll(bytes)) ++refused;
-        }
+        const std::int32_t value = kElsewhere[w % kElsewhere.size()];
+        Bytes bytes = sound;
+        std::memcpy(bytes.data() + entry.offset + w * sizeof(value), &value, sizeof(value));
+        if (!useAll(bytes)) ++refused;
       }
     }
   }
-  EXPECT_GT(refused, 3000) << "what is refused is the rule";
-}
-
-TEST(TableFaults, NoRandomBytesLeadOutOfTheFile) {
-  std::mt19937 random(5);
-  for (int turn = 0; turn < 1500; ++turn) {
-    Bytes bytes = smallTable(turn % 2 == 0 ? Far::TileNormalKind::fast : Far::TileNormalKind::exact);
-    const std::uint32_t flips = 1 + random() % 4;
-    for (std::uint32_t i = 0; i < flips; ++i) {
-      const TableEntry entry = entryOf(bytes, random() % headerOf(bytes).sectionCount);
-      const std::size_t byte = entry.offset + random() % (entry.count * entry.elementBytes);
-      bytes[byte] = static_cast<std::byte>(random());
-    }
-    static_cast<void>(useAll(bytes));
-  }
+  EXPECT_GT(refused, 1000) << "what is refused is the rule";
 }
 
 TEST(TableFaults, NameTheFirstIndexThatIsWrong) {
