@@ -104,24 +104,42 @@ class Sink {
   Sink(const View<float>& target, int length, Stream& stream)
       : data_(target.data), stride_(target.stride), length_(length), stream_(&stream) {}
 
-  /// The n outputs of each of a vector's faces (rows: n is 1), the first of which is number `face` of its step.
+  /// The n outputs of each of a vector's faces (rows: n is 1), the first of which is number `face` of its step. Faces
+  /// of a step have ascending outputs: the first and the last tell whether they follow each other.
   template <class D>
   HWY_INLINE void put(D d, const hn::Vec<D>* out, int n, const Kernels::Outputs& outputs, std::int32_t face) const {
     constexpr std::int32_t kLast = kBlocks<D> - 1;
     const std::int32_t* const each = outputs.each + face;
-    if (outputs.each == nullptr) {
-      putRow(d, out, n, place(outputs.first + face * n, kBlocks<D> * n));
-    } else if (each[kLast] == each[0] + kLast * n) {
-      putRow(d, out, n, place(each[0], kBlocks<D> * n));
-    } else {
-      putApart(d, out, n, each);
-    }
+    put(d, out, n, outputs, face, outputs.each == nullptr || each[kLast] == each[0] + kLast * n);
+  }
+
+  /// The same of outputs in any order, which loose rows have.
+  template <class D>
+  HWY_INLINE void putInAnyOrder(D d, const hn::Vec<D>* out, int n, const Kernels::Outputs& outputs,
+                                std::int32_t face) const {
+    const std::int32_t* const each = outputs.each + face;
+    bool follow = true;
+    for (int k = 1; outputs.each != nullptr && k < kBlocks<D>; ++k) follow &= each[k] == each[0] + k * n;
+    put(d, out, n, outputs, face, follow);
   }
 
  private:
   // Known to the compiler only where points overlap: it puts stores that can't out of order, and processors take two at
   // a time only to the same cache line. Measured for xyzw: 8 % slower.
   HWY_INLINE std::int64_t stride() const { return kPacked == 3 ? 3 : stride_; }
+
+  template <class D>
+  HWY_INLINE void put(D d, const hn::Vec<D>* out, int n, const Kernels::Outputs& outputs, std::int32_t face,
+                      bool follow) const {
+    const std::int32_t* const each = outputs.each + face;
+    if (outputs.each == nullptr) {
+      putRow(d, out, n, place(outputs.first + face * n, kBlocks<D> * n));
+    } else if (follow) {
+      putRow(d, out, n, place(each[0], kBlocks<D> * n));
+    } else {
+      putApart(d, out, n, each);
+    }
+  }
 
   HWY_INLINE float* place(std::int32_t output, int points) const {
     float* const p = data_ + output * stride();

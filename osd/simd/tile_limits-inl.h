@@ -47,7 +47,9 @@ HWY_INLINE std::int32_t facesOfFrames(D d, const VertexFrames frames, Sink sink,
     }
     makeAllUnit(d, v, kTogether * each);
     HWY_UNROLL(2)
-    for (int t = 0; t < kTogether; ++t) sink.put(d, v + t * each, each, frames.outputs, face + t * kBlocks<D>);
+    for (int t = 0; t < kTogether; ++t) {
+      sink.putInAnyOrder(d, v + t * each, each, frames.outputs, face + t * kBlocks<D>);
+    }
   }
   return face;
 }

@@ -52,6 +52,7 @@ honeycomb_library(test_support STATIC
   ${CMAKE_CURRENT_LIST_DIR}/../support/patch_surfaces.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/poly_mesh.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/random_mesh.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/random_refinements.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/random_tables.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/reference_zip.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/refined.cpp

@@ -2,9 +2,10 @@ honeycomb_test(osd_tests
   SHARDS 8
   TWINS "*/1.*"
   LABELS threads
-  ALONE "Simd.*:RowTables*:TileLimits*UnderEveryScheme:TileLimits*TooLarge*:TileNormals*UnderEveryScheme:TileNormals*TooLarge*:TileNormals*CostLinear*:Tiles*UnderEveryScheme:Tiles*TooLarge*"
+  ALONE "Differential*:Simd.*:RowTables*:TileLimits*UnderEveryScheme:TileLimits*TooLarge*:TileNormals*UnderEveryScheme:TileNormals*TooLarge*:TileNormals*CostLinear*:Tiles*UnderEveryScheme:Tiles*TooLarge*"
   SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/buffer_errors_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/differential_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/evaluators_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/row_tables_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/simd_test.cpp

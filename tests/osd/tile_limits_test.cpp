@@ -2,10 +2,12 @@
 
 #include "far/schemes/akleman.h"
 #include "far/schemes/half_box.h"
+#include "far/schemes/zhang_wang.h"
 #include "osd/tile_evaluator.h"
 #include "tests/osd/tile_surface.h"
 #include "tests/support/creased.h"
 #include "tests/support/instruction_sets.h"
+#include "tests/support/must.h"
 #include "tests/support/refined.h"
 #include "tests/support/scheme_list.h"
 #include "tests/support/shapes.h"
@@ -23,19 +25,6 @@ class TileLimits : public testing::Test {};
 
 using LimitReals = testing::Types<float, double>;
 TYPED_TEST_SUITE(TileLimits, LimitReals);
-
-/// Points level after level, then CpuEvaluator::vertexLimits; points that are no vertices have the zero vector.
-template <class Real>
-TileSurface<Real> withLimits(const Far::Refinement& refinement, const std::vector<Real>& control) {
-  TileSurface<Real> surface = emptySurface<Real>(refinement);
-  std::fill(surface.normals.begin(), surface.normals.end(), Real{0});
-  Osd::SerialEvaluator serial;
-  EXPECT_TRUE(serial.evaluate(refinement, refinement.levelCount(), Osd::Points<Real>{control, {}},
-                              Osd::PointsOut<Real>{surface.points, {}}));
-  EXPECT_TRUE(serial.vertexLimits(refinement.limits(), Osd::Points<Real>{surface.points, {}}, Osd::PointsOut<Real>{},
-                                  Osd::PointsOut<Real>{surface.normals, {}}));
-  return surface;
-}
 
 /// The same surface with point i where the tiles write it.
 template <class Real>
@@ -98,6 +87,18 @@ TYPED_TEST(TileLimits, AreThoseOfTheChainWithCreases) {
     const auto refinement = Far::refine(creased(mesh.mesh, mesh.creases), *Far::akleman(), 3, {.limits = true});
     ASSERT_NO_FATAL_FAILURE(compareLimits<TypeParam>(*refinement, 900, 4)) << mesh.name;
   }
+}
+
+// Four vertices are written together, the second of which does not stand behind the first.
+TEST(TileLimit, GoesToItsVertexWhereThoseOfAGroupDoNotAscend) {
+  const RandomMesh mesh = randomMesh(104);
+  Random choice(104);
+  const Far::Topology control = randomlyCreased(mesh, choice, {0.5, 1.25, 2, Far::kSharp});
+  Far::ZhangWangOptions options;
+  options.pull.rule = Far::CentralPull::Rule::kobbelt;
+  options.vertexPull = 0.25;
+  options.boundary = Far::BoundaryRule::brick;
+  compareLimits<float>(refinedBy(control, must(Far::zhangWang(control, 2, options)), true), 165, 1);
 }
 
 TYPED_TEST(TileLimits, OfWhatIsTooLargeForTilesAreFoundForAllOfThem) {

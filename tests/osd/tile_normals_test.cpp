@@ -8,7 +8,6 @@
 #include "far/schemes/midpoint.h"
 #include "far/schemes/trisect.h"
 #include "far/tables/normal_rule.h"
-#include "osd/normal_evaluator.h"
 #include "osd/tile_evaluator.h"
 #include "tests/osd/tile_surface.h"
 #include "tests/support/creased.h"
@@ -27,17 +26,6 @@ class TileNormals : public testing::Test {};
 
 using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(TileNormals, Reals);
-
-template <class Real>
-TileSurface<Real> levelByLevel(const Far::Refinement& refinement, const std::vector<Real>& control) {
-  const auto table = Far::buildNormalTable(refinement, refinement.levelCount());
-  EXPECT_TRUE(table.has_value());
-  TileSurface<Real> surface = emptySurface<Real>(refinement);
-  Osd::NormalEvaluator evaluator(Osd::CpuEvaluator::Threads::one);
-  EXPECT_TRUE(evaluator.evaluate(refinement, *table, Osd::Points<Real>{control, {}},
-                                 Osd::PointsOut<Real>{surface.points, {}}, Osd::PointsOut<Real>{surface.normals, {}}));
-  return surface;
-}
 
 template <class Real>
 void compare(const Far::Refinement& refinement, std::int32_t scratchPoints, std::uint64_t seed) {

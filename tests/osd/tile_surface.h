@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
+#include "far/tables/normal_rule.h"
+#include "osd/normal_evaluator.h"
 #include "osd/tile_evaluator.h"
 #include "tests/support/random.h"
 #include "tests/support/same_bits.h"
@@ -29,6 +32,31 @@ std::vector<Real> randomControl(const Far::Refinement& refinement, std::uint64_t
   std::vector<Real> control(3 * static_cast<std::size_t>(refinement.level(0).pointCount()));
   for (Real& x : control) x = static_cast<Real>(random.symmetric());
   return control;
+}
+
+/// Points level after level, then CpuEvaluator::vertexLimits; points that are no vertices have the zero vector.
+template <class Real>
+TileSurface<Real> withLimits(const Far::Refinement& refinement, const std::vector<Real>& control) {
+  TileSurface<Real> surface = emptySurface<Real>(refinement);
+  std::fill(surface.normals.begin(), surface.normals.end(), Real{0});
+  Osd::SerialEvaluator serial;
+  EXPECT_TRUE(serial.evaluate(refinement, refinement.levelCount(), Osd::Points<Real>{control, {}},
+                              Osd::PointsOut<Real>{surface.points, {}}));
+  EXPECT_TRUE(serial.vertexLimits(refinement.limits(), Osd::Points<Real>{surface.points, {}}, Osd::PointsOut<Real>{},
+                                  Osd::PointsOut<Real>{surface.normals, {}}));
+  return surface;
+}
+
+/// Points and fast normals level after level.
+template <class Real>
+TileSurface<Real> levelByLevel(const Far::Refinement& refinement, const std::vector<Real>& control) {
+  const auto table = Far::buildNormalTable(refinement, refinement.levelCount());
+  EXPECT_TRUE(table.has_value());
+  TileSurface<Real> surface = emptySurface<Real>(refinement);
+  Osd::NormalEvaluator evaluator(Osd::CpuEvaluator::Threads::one);
+  EXPECT_TRUE(evaluator.evaluate(refinement, *table, Osd::Points<Real>{control, {}},
+                                 Osd::PointsOut<Real>{surface.points, {}}, Osd::PointsOut<Real>{surface.normals, {}}));
+  return surface;
 }
 
 template <class Real>

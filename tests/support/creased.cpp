@@ -77,4 +77,19 @@ std::string sidesDiffer(const Far::Level& level, const std::vector<Vec3>& points
   return {};
 }
 
+Far::Topology randomlyCreased(const RandomMesh& random, Random& choice, const std::vector<double>& values) {
+  std::vector<Far::Crease> creases;
+  const double share = 0.5 * choice.unit();
+  const bool alike = choice.chance(0.3);
+  const double value = values[choice.below(values.size())];
+  for (const Loop& loop : random.mesh.faces) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const auto v = static_cast<std::int32_t>(loop[i]);
+      const auto w = static_cast<std::int32_t>(loop[(i + 1) % loop.size()]);
+      if (v < w && choice.chance(share)) creases.push_back({v, w, alike ? value : values[choice.below(values.size())]});
+    }
+  }
+  return creased(random.mesh, creases, random.cornerTags);
+}
+
 }  // namespace honeycomb::Test

@@ -5,6 +5,7 @@
 
 #include "far/tables/refinement.h"
 #include "tests/support/poly_mesh.h"
+#include "tests/support/random_mesh.h"
 
 namespace honeycomb::Test {
 
@@ -28,6 +29,9 @@ std::vector<CreasedMesh> creasedMeshes(double sharpness);
 
 /// The mesh with face f standing alone, on copies of its vertices.
 PolyMesh detached(PolyMesh mesh, std::size_t f);
+
+/// Random edges of a random mesh, with sharpness among `values`, of each its own or the same for all.
+Far::Topology randomlyCreased(const RandomMesh& random, Random& choice, const std::vector<double>& values);
 
 /// What parts the two sides of the level's creases: empty when they have the same points, bit for bit.
 std::string sidesDiffer(const Far::Level& level, const std::vector<Vec3>& points);

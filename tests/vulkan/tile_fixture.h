@@ -114,6 +114,13 @@ class TilesTest : public VulkanTest {
     return sameFrames(refinement, session, run);
   }
 
+  // Without tiles, level after level.
+  testing::AssertionResult agreeByLevels(const Far::Refinement& refinement, const Layouts& layouts) {
+    auto session = must(
+        Osd::VulkanSession::create(*evaluator, refinement, {.control = layouts.control, .refined = layouts.refined}));
+    return sameFrames(refinement, session, {.layouts = layouts});
+  }
+
   // Two frames of the session beside the serial evaluator.
   static testing::AssertionResult sameFrames(const Far::Refinement& refinement, Osd::VulkanSession& session,
                                              const TileRun& run) {

@@ -8,6 +8,7 @@
 #include "osd/vulkan/session.h"
 #include "tests/support/creased.h"
 #include "tests/support/must.h"
+#include "tests/support/random_refinements.h"
 #include "tests/support/random_tables.h"
 #include "tests/support/refined.h"
 #include "tests/support/scheme_list.h"
@@ -43,12 +44,23 @@ TEST_F(TilesTest, OfPointsOfAnyLengthAndStride) {
   }
 }
 
+// Schemes by turns, with and without creases, level after level and by tiles. HONEYCOMB_FUZZ_ROUNDS takes more of them.
 TEST_F(TilesTest, OfRandomMeshes) {
-  for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    SCOPED_TRACE(testing::Message() << "random mesh " << seed);
-    const auto scheme = schemeCase(Meshes::NamedTension::paper).scheme;
-    EXPECT_TRUE(agree(Meshes::refined(Meshes::randomMesh(seed), scheme, 3), {.scratchPoints = 400}));
-  }
+  Meshes::forRandomRefinementsByTurns(Meshes::fuzzRounds(2), [this](const Meshes::RandomRefinement& random) {
+    SCOPED_TRACE(random.name);
+    Meshes::Random& choice = random.choice;
+    TileRun run;
+    run.scratchPoints = static_cast<std::int32_t>(choice.between(64, 1000));
+    run.layouts = kPositions[choice.below(kPositions.size())];
+    run.places = choice.chance(0.5) ? Far::TilePlaces::fours : Far::TilePlaces::faces;
+    run.kind = choice.chance(0.5) ? Far::TileNormalKind::exact : Far::TileNormalKind::fast;
+    run.normals = kNormals[choice.below(kNormals.size())];
+    const auto byLevels = agreeByLevels(random.refinement, run.layouts);
+    const auto byTiles = agree(random.refinement, run);
+    EXPECT_TRUE(byLevels);
+    EXPECT_TRUE(byTiles) << run.scratchPoints << " points a tile";
+    return byLevels && byTiles;
+  });
 }
 
 TEST_F(TilesTest, WithCreases) {
