@@ -54,6 +54,7 @@ Result<Osd::VulkanEvaluator> makeEvaluator(const hc_vulkan_device* given) {
   device.allocator = read->allocator;
   device.getInstanceProcAddr = read->get_instance_proc_addr;
   device.getDeviceProcAddr = read->get_device_proc_addr;
+  device.queueLock = {read->lock_queue, read->unlock_queue, read->queue_owner};
   Osd::VulkanEvaluatorOptions options;
   options.maxDeviceBytes = read->max_device_bytes;
   if (read->pipeline_cache != nullptr)

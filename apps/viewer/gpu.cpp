@@ -6,6 +6,7 @@
 #include <array>
 #include <cstring>
 #include <limits>
+#include <mutex>
 
 #include "osd/vulkan/errors.h"
 
@@ -132,12 +133,17 @@ VkCommandBuffer allocateCommandBuffer(Maker& make, const Gpu& gpu, VkCommandPool
   return buffer;
 }
 
+VkResult submit(const Gpu& gpu, const VkSubmitInfo& info, VkFence done) {
+  const std::lock_guard turn(gpu.device.queueLock);
+  return gpu.call.vkQueueSubmit(gpu.device.queue, 1, &info, done);
+}
+
 void submitAndWait(Maker& make, const Gpu& gpu, VkCommandBuffer commands, VkFence done) {
   auto info = structure<VkSubmitInfo>(VK_STRUCTURE_TYPE_SUBMIT_INFO);
   info.commandBufferCount = 1;
   info.pCommandBuffers = &commands;
   make.check(gpu.call.vkResetFences(gpu.device.device, 1, &done), "reset a fence");
-  if (make.ok()) make.check(gpu.call.vkQueueSubmit(gpu.device.queue, 1, &info, done), "submit a picture");
+  if (make.ok()) make.check(submit(gpu, info, done), "submit a picture");
   constexpr auto kForever = std::numeric_limits<std::uint64_t>::max();
   if (make.ok()) {
     make.check(gpu.call.vkWaitForFences(gpu.device.device, 1, &done, VK_TRUE, kForever), "finish a picture");

@@ -89,6 +89,8 @@ class Maker {
 
 /// A primary command buffer; null after a failure.
 VkCommandBuffer allocateCommandBuffer(Maker& make, const Gpu& gpu, VkCommandPool pool);
+/// Submits to the device's queue, under its lock.
+VkResult submit(const Gpu& gpu, const VkSubmitInfo& info, VkFence done);
 /// Submits the recorded commands and waits for them; the fence is theirs alone.
 void submitAndWait(Maker& make, const Gpu& gpu, VkCommandBuffer commands, VkFence done);
 

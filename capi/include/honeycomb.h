@@ -331,6 +331,11 @@ typedef struct hc_vulkan_device {
   hc_vk_function (*get_device_proc_addr)(struct VkDevice_T*, const char*);
   const char* pipeline_cache; /* a file that keeps compiled pipelines, UTF-8; NULL: none */
   uint64_t max_device_bytes;  /* of memory all tables and bindings may hold; 0: all there is */
+  /* Called around everything that is submitted to the queue, with queue_owner, so that an engine that takes the same
+   * lock may go on using the queue; both or NULL: nobody else may use it meanwhile. */
+  void (*lock_queue)(void*);
+  void (*unlock_queue)(void*);
+  void* queue_owner;
 } hc_vulkan_device;
 
 typedef struct hc_vulkan hc_vulkan;
@@ -355,7 +360,8 @@ typedef struct hc_vulkan_table_options {
 /* Tables on the device. Never changes. */
 typedef struct hc_vulkan_table hc_vulkan_table;
 /* Uploads. Where host and device share no memory, copies are submitted to the queue and waited for: nobody else may use
- * it meanwhile. Errors: INVALID_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY, DEVICE_LOST. Any thread, one at a time a device. */
+ * it meanwhile unless there is a lock_queue. Errors: INVALID_ARGUMENT, TOO_LARGE, OUT_OF_MEMORY, DEVICE_LOST. Any
+ * thread, one at a time a device. */
 HC_API hc_status hc_vulkan_table_create(hc_vulkan* vulkan, const hc_tables* tables,
                                         const hc_vulkan_table_options* options, hc_vulkan_table** table);
 HC_API void hc_vulkan_table_destroy(hc_vulkan_table* table);

@@ -1,6 +1,7 @@
 #include "osd/vulkan/commands.h"
 
 #include <cstdint>
+#include <mutex>
 #include <utility>
 
 #include "osd/vulkan/errors.h"
@@ -14,6 +15,11 @@ void memoryBarrier(const VulkanCore& core, VkCommandBuffer commands, const Memor
   barrier.srcAccessMask = before.access;
   barrier.dstAccessMask = after.access;
   core.vk().vkCmdPipelineBarrier(commands, before.stages, after.stages, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+}
+
+VkResult submitTo(const VulkanCore& core, const VkSubmitInfo& info, VkFence fence) {
+  const std::lock_guard turn(core.device.queueLock);
+  return core.vk().vkQueueSubmit(core.device.queue, 1, &info, fence);
 }
 
 Result<CommandRunner> CommandRunner::create(const std::shared_ptr<const VulkanCore>& core) {
@@ -90,7 +96,7 @@ Result<void> CommandRunner::submit() {
   info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
   info.commandBufferCount = 1;
   info.pCommandBuffers = &commands_;
-  result = core_->vk().vkQueueSubmit(core_->device.queue, 1, &info, fence);
+  result = submitTo(*core_, info, fence);
   if (result != VK_SUCCESS) return vulkanFailure(result, "submit commands");
   running_ = true;
   return {};

@@ -18,6 +18,9 @@ struct MemoryAccess {
 void memoryBarrier(const VulkanCore& core, VkCommandBuffer commands, const MemoryAccess& before,
                    const MemoryAccess& after);
 
+/// Submits to the core's queue, under its lock.
+VkResult submitTo(const VulkanCore& core, const VkSubmitInfo& info, VkFence fence);
+
 /// One command buffer with a pool and a fence of its own: recorded once or anew, submitted as often as wanted.
 /// Waits for what is still running when it is destroyed.
 class CommandRunner {
@@ -32,7 +35,7 @@ class CommandRunner {
   VkCommandBuffer commandBuffer() const { return commands_; }
   Result<void> begin(VkCommandBufferUsageFlags usage);
   Result<void> end();
-  /// To the core's queue, which nobody else may use meanwhile; after the submission before, where that still runs.
+  /// To the core's queue, under its lock; after the submission before, where that still runs.
   Result<void> submit();
   /// Returns when the submission has run; at once when none is running. After an error other than deviceLost it may
   /// still be running: wait again.

@@ -63,6 +63,7 @@ Result<VulkanContext> VulkanContext::create(const VulkanContextOptions& options)
     context.device_.physicalDevice = (*physical)[*chosen];
     if (const auto family = context.chooseQueueFamily(); !family) return tl::unexpected(family.error());
     if (const auto made = context.makeDevice(options); !made) return tl::unexpected(made.error());
+    context.makeQueueLock();
     return context;
   });
 }
@@ -93,6 +94,12 @@ Result<void> VulkanContext::chooseQueueFamily() {
                 fmt::format("the Vulkan device '{}' has no compute queue: choose another device", info_.name));
   }
   return {};
+}
+
+void VulkanContext::makeQueueLock() {
+  queueMutex_ = std::make_unique<std::mutex>();
+  device_.queueLock = {[](void* mutex) { static_cast<std::mutex*>(mutex)->lock(); },
+                       [](void* mutex) { static_cast<std::mutex*>(mutex)->unlock(); }, queueMutex_.get()};
 }
 
 Result<void> VulkanContext::makeDevice(const VulkanContextOptions& options) {
@@ -131,6 +138,7 @@ Result<void> VulkanContext::makeDevice(const VulkanContextOptions& options) {
 VulkanContext::VulkanContext(VulkanContext&& other) noexcept
     : log_(std::move(other.log_)),
       instance_(std::move(other.instance_)),
+      queueMutex_(std::move(other.queueMutex_)),
       device_(std::exchange(other.device_, {})),
       info_(std::move(other.info_)),
       limits_(other.limits_),
@@ -140,6 +148,7 @@ VulkanContext::VulkanContext(VulkanContext&& other) noexcept
 VulkanContext& VulkanContext::operator=(VulkanContext&& other) noexcept {
   std::swap(log_, other.log_);
   std::swap(instance_, other.instance_);
+  std::swap(queueMutex_, other.queueMutex_);
   std::swap(device_, other.device_);
   std::swap(info_, other.info_);
   std::swap(limits_, other.limits_);

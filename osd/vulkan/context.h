@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,7 @@ class VulkanContext {
   VulkanContext(VulkanContext&& other) noexcept;
   VulkanContext& operator=(VulkanContext&& other) noexcept;
 
+  /// With a queueLock: several threads may submit to the queue, each under std::lock_guard(device().queueLock).
   const VulkanDevice& device() const { return device_; }
   const DeviceInfo& info() const { return info_; }
   const std::string& deviceName() const { return info_.name; }
@@ -57,10 +59,12 @@ class VulkanContext {
  private:
   VulkanContext() = default;
   Result<void> chooseQueueFamily();
+  void makeQueueLock();
   Result<void> makeDevice(const VulkanContextOptions& options);
 
   std::shared_ptr<ValidationLog> log_;
   std::unique_ptr<VulkanInstance> instance_;
+  std::unique_ptr<std::mutex> queueMutex_;
   VulkanDevice device_;
   DeviceInfo info_;
   VkPhysicalDeviceLimits limits_{};

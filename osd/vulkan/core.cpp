@@ -84,6 +84,10 @@ Result<VulkanCore> VulkanCore::create(const VulkanDevice& device, const VulkanEv
   if (device.physicalDevice == VK_NULL_HANDLE || device.queue == VK_NULL_HANDLE) {
     return fail(ErrorCode::invalidOption, "a VulkanDevice needs a physical device and a queue");
   }
+  if ((device.queueLock.take == nullptr) != (device.queueLock.give == nullptr)) {
+    return fail(ErrorCode::invalidOption,
+                "the lock of the Vulkan device's queue has one function of two: give both, or neither");
+  }
   auto functions = VulkanFunctions::load(device);
   if (!functions) return tl::unexpected(functions.error());
   VkPhysicalDeviceProperties2 properties{};

@@ -6,6 +6,24 @@
 
 namespace honeycomb::Osd {
 
+/// How threads take turns at a queue. Vulkan wants a queue used by one thread at a time (external synchronization, in
+/// vkQueueSubmit and vkQueuePresentKHR). Both functions or neither; they are called in pairs, never nested, from any
+/// thread, with nothing but one vkQueueSubmit in between: no wait for the device. They must not throw.
+struct VulkanQueueLock {
+  void (*take)(void* owner) = nullptr;  ///< returns when nobody else uses the queue
+  void (*give)(void* owner) = nullptr;  ///< others may use it again
+  void* owner = nullptr;                ///< passed on to both
+
+  bool given() const { return take != nullptr; }
+  /// What std::lock_guard calls, on the caller's side as on ours.
+  void lock() const {
+    if (take != nullptr) take(owner);
+  }
+  void unlock() const {
+    if (give != nullptr) give(owner);
+  }
+};
+
 /// A Vulkan device somebody owns: the caller's engine, or a VulkanContext. All handles, and what `allocator` points to,
 /// outlive what is created from them.
 struct VulkanDevice {
@@ -13,10 +31,11 @@ struct VulkanDevice {
   VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
   VkDevice device = VK_NULL_HANDLE;
   /// Supports compute, and graphics where pictures are drawn. Uploads, sessions and frames submit to it; record()
-  /// doesn't: what it records may be submitted to any queue of the family. An engine that uploads while it draws gives
-  /// another queue of the same family here than it draws with, uploads on a thread of its own, and uses the table once
-  /// upload() has returned. A family with transfers alone is not made use of: buffers belong to this family throughout,
-  /// and tables are uploaded once per mesh, not per frame.
+  /// doesn't: what it records may be submitted to any queue of the family. An engine that uploads while it draws does
+  /// so on a thread of its own and uses the table once upload() has returned; here it gives another queue of the same
+  /// family than it draws with, or the same one with `queueLock`, which it takes around its own use. A family with
+  /// transfers alone is not made use of: buffers belong to this family throughout, and tables are uploaded once per
+  /// mesh, not per frame.
   VkQueue queue = VK_NULL_HANDLE;
   std::uint32_t queueFamily = 0;
   bool timelineSemaphore = false;  ///< was this feature switched on with the device? VulkanFrames needs it
@@ -26,6 +45,8 @@ struct VulkanDevice {
   PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr;
   /// The same of the device's functions; null: what getInstanceProcAddr says.
   PFN_vkGetDeviceProcAddr getDeviceProcAddr = nullptr;
+  /// Taken around everything that is submitted to `queue`; none: nobody else may use the queue meanwhile.
+  VulkanQueueLock queueLock{};
 };
 
 }  // namespace honeycomb::Osd

@@ -26,7 +26,8 @@ class VulkanEvaluator {
   static Result<VulkanEvaluator> create(const VulkanDevice& device, const VulkanEvaluatorOptions& options = {});
 
   /// Brings the tables of levels options.firstLevel+1 .. options.lastLevel to the device, once per mesh. Where memory
-  /// isn't shared it submits copies to the device's queue and waits, so nobody else may use the queue meanwhile.
+  /// isn't shared it submits copies to the device's queue and waits: where others use that queue meanwhile, the device
+  /// has a VulkanDevice::queueLock.
   /// Errors: invalidOption (levels, descriptors, limits or normals that aren't there), tooLarge (a level of 2^32
   /// numbers, or one that is read of more than kSourcePages pages), outOfMemory, deviceLost.
   Result<VulkanTable> upload(const Far::Refinement& refinement, const VulkanTableOptions& options = {});

@@ -114,7 +114,7 @@ Result<void> VulkanFrames::send(const VulkanFrameSync& sync) {
   info.pCommandBuffers = &commands;
   info.signalSemaphoreCount = signals.count;
   info.pSignalSemaphores = signals.semaphores.data();
-  const VkResult result = core_->vk().vkQueueSubmit(core_->device.queue, 1, &info, VK_NULL_HANDLE);
+  const VkResult result = submitTo(*core_, info, VK_NULL_HANDLE);
   if (result != VK_SUCCESS) return vulkanFailure(result, "submit a frame");
   return {};
 }

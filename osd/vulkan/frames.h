@@ -46,7 +46,8 @@ struct VulkanTicket {
 ///     slot 2                         write 2   | compute 2 | ...
 ///
 /// The bits are those of one frame after another. Uses the device's queue, which nobody else may use during create()
-/// and submit(). Belongs to one thread at a time. Waits for its frames when it is destroyed.
+/// and submit() unless there is a VulkanDevice::queueLock. Belongs to one thread at a time. Waits for its frames when
+/// it is destroyed.
 class VulkanFrames {
  public:
   /// Errors: unsupported without the feature timelineSemaphore (VulkanDevice::timelineSemaphore); invalidOption for the

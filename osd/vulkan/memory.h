@@ -81,7 +81,7 @@ struct BufferPiece {
 };
 
 /// Fills a buffer, directly or through staging; returns when the bytes are there. Staging submits to the core's queue,
-/// which nobody else may use meanwhile. Errors: outOfMemory, deviceLost.
+/// under its lock. Errors: outOfMemory, deviceLost.
 Result<void> fillBuffer(const std::shared_ptr<const VulkanCore>& core, const VulkanBuffer& buffer,
                         std::span<const BufferPiece> pieces);
 

@@ -10,7 +10,8 @@ namespace honeycomb::Osd {
 /// themselves and want each result at once. A frame is one submit and one wait, and allocates nothing. VulkanFrames has
 /// several on their way; a session needs no feature of the device.
 ///
-/// Uses the device's queue, which nobody else may use during create() and run(). Belongs to one thread at a time.
+/// Uses the device's queue, which nobody else may use during create() and run() unless there is a
+/// VulkanDevice::queueLock. Belongs to one thread at a time.
 class VulkanSession {
  public:
   /// Errors: as of VulkanEvaluator::upload and bind, and deviceLost.

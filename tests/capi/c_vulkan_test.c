@@ -95,6 +95,24 @@ static void a_frame_has_the_bits_of_the_cpu(test_engine* engine, hc_vulkan* vulk
   hc_tables_destroy(tables);
 }
 
+static void lock(void* user) {
+  ++*(int*)user;
+}
+
+static void a_queue_is_locked_by_both_functions_or_none(const test_engine* engine) {
+  int turns = 0;
+  hc_vulkan_device device = {.struct_size = sizeof(device), .lock_queue = lock, .queue_owner = &turns};
+  test_engine_device(engine, &device);
+  hc_vulkan* vulkan = NULL;
+  FAILS(hc_vulkan_create(NULL, &device, &vulkan), HC_ERROR_INVALID_ARGUMENT, "give both");
+  device.lock_queue = NULL;
+  device.unlock_queue = lock;
+  FAILS(hc_vulkan_create(NULL, &device, &vulkan), HC_ERROR_INVALID_ARGUMENT, "give both");
+  device.lock_queue = lock;
+  OK(hc_vulkan_create(NULL, &device, &vulkan));
+  hc_vulkan_destroy(vulkan);
+}
+
 static void bad_calls(hc_vulkan* vulkan) {
   hc_tables* tables = tables_with(HC_NORMALS_NONE);
   hc_vulkan_table* table = NULL;
@@ -145,6 +163,7 @@ int main(int count, char** arguments) {
   a_frame_has_the_bits_of_the_cpu(engine, vulkan, tables_of_file(HC_NORMALS_FAST, arguments[1]), HC_NORMALS_FAST, 1);
   a_frame_has_the_bits_of_the_cpu(engine, vulkan, tables_of_file(HC_NORMALS_EXACT, arguments[1]), HC_NORMALS_EXACT, 0);
   bad_calls(vulkan);
+  a_queue_is_locked_by_both_functions_or_none(engine);
   hc_vulkan_destroy(vulkan);
   CHECK(test_engine_destroy(engine) == 0);
   return failures > 0;

@@ -13,7 +13,6 @@
   X(vkCreateSwapchainKHR)             \
   X(vkDestroySemaphore)               \
   X(vkDestroySwapchainKHR)            \
-  X(vkDeviceWaitIdle)                 \
   X(vkGetSwapchainImagesKHR)          \
   X(vkQueuePresentKHR)                \
   X(vkQueueWaitIdle)

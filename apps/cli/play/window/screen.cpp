@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <mutex>
 
 #include "apps/cli/play/window/glfw.h"
 #include "apps/cli/play/window/imgui_vulkan.h"
@@ -131,7 +132,7 @@ VkResult submitFrame(const Screen::State& s) {
   info.pSignalSemaphores = &drawn;
   const VkFence done = s.done.get();
   s.gpu.call.vkResetFences(s.gpu.device.device, 1, &done);
-  return s.gpu.call.vkQueueSubmit(s.gpu.device.queue, 1, &info, done);
+  return Viewer::submit(s.gpu, info, done);
 }
 
 VkResult present(const Screen::State& s, std::uint32_t image) {
@@ -143,13 +144,20 @@ VkResult present(const Screen::State& s, std::uint32_t image) {
   info.swapchainCount = 1;
   info.pSwapchains = &chain;
   info.pImageIndices = &image;
+  const std::lock_guard turn(s.gpu.device.queueLock);
   return s.calls.vkQueuePresentKHR(s.gpu.device.queue, &info);
+}
+
+/// For what presenting still reads, which has no fence.
+void waitForQueue(const Screen::State& s) {
+  const std::lock_guard turn(s.gpu.device.queueLock);
+  s.calls.vkQueueWaitIdle(s.gpu.device.queue);
 }
 
 }  // namespace
 
 Screen::State::~State() {
-  if (calls.vkDeviceWaitIdle != nullptr) calls.vkDeviceWaitIdle(gpu.device.device);
+  if (calls.vkQueueWaitIdle != nullptr) waitForQueue(*this);
   interface.reset();
   chain = Swapchain();
   if (surface != VK_NULL_HANDLE) calls.vkDestroySurfaceKHR(gpu.device.instance, surface, nullptr);
@@ -191,7 +199,7 @@ VkExtent2D Screen::extent() const {
 Result<void> Screen::resize() {
   State& s = *state_;
   if (const auto finished = finishFrame(); !finished) return finished;
-  s.calls.vkQueueWaitIdle(s.gpu.device.queue);
+  waitForQueue(s);
   auto chain = Swapchain::create(s.gpu, s.calls, s.surface, sizeOf(s.window), s.pass.get(), s.chain);
   if (!chain) return tl::unexpected(chain.error());
   s.chain = std::move(*chain);
