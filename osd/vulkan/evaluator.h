@@ -77,6 +77,8 @@ class VulkanEvaluator {
   /// same whatever it is.
   std::int32_t tilePoints(TileScratch scratch = TileScratch::automatic) const;
 
+  /// Pipelines so far, of all tables: where an upload makes it grow there was something to compile.
+  std::size_t pipelineCount() const { return pipelines_->count(); }
   /// Did compiled pipelines come from the file VulkanEvaluatorOptions::pipelineCache names?
   bool pipelinesFromFile() const { return pipelines_->cache().startedFromFile(); }
   /// Writes that file now, if anything was compiled since the last time; upload() does so too and is silent about

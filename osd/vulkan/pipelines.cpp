@@ -126,7 +126,7 @@ Result<std::uint64_t> VulkanPipelines::refresh() {
 Result<void> VulkanPipelines::remake(Kernel kernel) {
   for (const auto& [key, first] : pipelines_) {
     if (key.first != kernel) continue;
-    auto made = make(kernel, key.second);
+    auto made = make(prunedCode(code(kernel), key.second), key.second);
     if (!made) return tl::unexpected(made.error());
     DeviceHandle<VkPipeline>& place = replaced_[first.get()];
     outdated_.push_back(std::exchange(place, std::move(*made)));
@@ -141,12 +141,24 @@ VkPipeline VulkanPipelines::current(VkPipeline first) {
 }
 
 Result<VkPipeline> VulkanPipelines::get(Kernel kernel, const Specialization& specialization) {
-  const std::lock_guard lock(mutex_);
   const std::pair key{kernel, specialization};
-  if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second.get();
-  auto pipeline = make(kernel, specialization);
-  if (!pipeline) return tl::unexpected(pipeline.error());
-  return pipelines_.emplace(key, std::move(*pipeline)).first->second.get();
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second.get();
+    const std::uint64_t before = generation_;
+    const std::vector<std::uint32_t> wanted = prunedCode(code(kernel), specialization);
+    // Compiling takes seconds with some drivers, and other threads record frames meanwhile.
+    lock.unlock();
+    auto pipeline = make(wanted, specialization);
+    lock.lock();
+    if (!pipeline) return tl::unexpected(pipeline.error());
+    if (generation_ == before) return pipelines_.emplace(key, std::move(*pipeline)).first->second.get();
+  }
+}
+
+std::size_t VulkanPipelines::count() const {
+  const std::lock_guard lock(mutex_);
+  return pipelines_.size();
 }
 
 Result<void> VulkanPipelines::save() {
@@ -157,13 +169,14 @@ Result<void> VulkanPipelines::save() {
   return saved;
 }
 
-Result<DeviceHandle<VkPipeline>> VulkanPipelines::make(Kernel kernel, const Specialization& specialization) const {
+Result<DeviceHandle<VkPipeline>> VulkanPipelines::make(std::span<const std::uint32_t> code,
+                                                       const Specialization& specialization) const {
   std::array<VkSpecializationMapEntry, kSpecializationCount> entries{};
   for (std::uint32_t i = 0; i < kSpecializationCount; ++i) {
     entries[i] = {i, static_cast<std::uint32_t>(i * sizeof(std::uint32_t)), sizeof(std::uint32_t)};
   }
   const VkSpecializationInfo constants{kSpecializationCount, entries.data(), sizeof(specialization), &specialization};
-  const auto module = makeModule(prunedCode(code(kernel), specialization));
+  const auto module = makeModule(code);
   if (!module) return tl::unexpected(module.error());
   VkComputePipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;

@@ -29,7 +29,7 @@ class VulkanPipelines {
 
   VkDescriptorSetLayout setLayout() const { return setLayout_.get(); }
   VkPipelineLayout layout() const { return layout_.get(); }
-  /// Compiles it where it is new. Errors: outOfMemory, deviceLost.
+  /// Compiles it where it is new; the other functions don't wait for that. Errors: outOfMemory, deviceLost.
   Result<VkPipeline> get(Kernel kernel, const Specialization& specialization);
 
   /// Compiles the kernels of VulkanEvaluatorOptions::kernelFolder that changed; every change gives another number. What
@@ -37,6 +37,9 @@ class VulkanPipelines {
   Result<std::uint64_t> refresh();
   /// The pipeline that does now what `first`, from get(), did when it was made.
   VkPipeline current(VkPipeline first);
+
+  /// Pipelines so far.
+  std::size_t count() const;
 
   const PipelineCache& cache() const { return cache_; }
   /// Writes the cache's file if a pipeline was compiled since the last time. Errors: unwritable, outOfMemory.
@@ -49,13 +52,14 @@ class VulkanPipelines {
   std::span<const std::uint32_t> code(Kernel kernel) const;
   Result<DeviceHandle<VkShaderModule>> makeModule(std::span<const std::uint32_t> code) const;
   Result<void> remake(Kernel kernel);
-  Result<DeviceHandle<VkPipeline>> make(Kernel kernel, const Specialization& specialization) const;
+  Result<DeviceHandle<VkPipeline>> make(std::span<const std::uint32_t> code,
+                                        const Specialization& specialization) const;
 
   std::shared_ptr<const VulkanCore> core_;
   DeviceHandle<VkDescriptorSetLayout> setLayout_;
   DeviceHandle<VkPipelineLayout> layout_;
   PipelineCache cache_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::map<std::pair<Kernel, Specialization>, DeviceHandle<VkPipeline>> pipelines_;
   KernelFiles files_;
   std::array<std::vector<std::uint32_t>, kKernelCount> loaded_;  ///< SPIR-V from files; empty: the built-in one

@@ -3,7 +3,7 @@
 set(HONEYCOMB_VULKAN_TESTS
   context_test batches_test limits_test paging_test evaluator_test session_test staging_test synchronization_test
   precise_test memory_pool_test faults_test
-  callers_device_test queue_lock_test host_memory_test device_validation_test
+  callers_device_test sharing_test host_memory_test device_validation_test
   frames_test frames_faults_test timing_test pipeline_cache_test kernel_files_test
   pruned_code_test)
 

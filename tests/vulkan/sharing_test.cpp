@@ -1,8 +1,10 @@
-// A queue that several threads use: what is submitted to it takes turns with what its owner submits.
+// A device that several threads use: submissions take turns, and nothing waits for what another thread compiles.
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <future>
 #include <string_view>
+#include <utility>
 
 #include "fixture.h"
 #include "osd/vulkan/frames.h"
@@ -36,11 +38,36 @@ VKAPI_ATTR VkResult VKAPI_CALL countedSubmit(VkQueue queue, std::uint32_t count,
   return realSubmit(queue, count, infos, fence);
 }
 
+/// A driver that is still compiling when it is told to go on, or after a minute.
+struct Compiler {
+  bool slow = false;
+  std::promise<void> begun;
+  std::promise<void> goOn;
+};
+Compiler* compiler = nullptr;
+PFN_vkCreateComputePipelines realCompile = nullptr;
+
+VKAPI_ATTR VkResult VKAPI_CALL slowCompile(VkDevice device, VkPipelineCache cache, std::uint32_t count,
+                                           const VkComputePipelineCreateInfo* infos,
+                                           const VkAllocationCallbacks* allocator, VkPipeline* made) {
+  if (compiler != nullptr && std::exchange(compiler->slow, false)) {
+    compiler->begun.set_value();
+    compiler->goOn.get_future().wait_for(std::chrono::minutes(1));
+  }
+  return realCompile(device, cache, count, infos, allocator, made);
+}
+
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceProc(VkDevice device, const char* name) {
   const PFN_vkVoidFunction real = realDeviceProc(device, name);
-  if (name != std::string_view("vkQueueSubmit")) return real;
-  realSubmit = reinterpret_cast<PFN_vkQueueSubmit>(real);
-  return reinterpret_cast<PFN_vkVoidFunction>(countedSubmit);
+  if (name == std::string_view("vkQueueSubmit")) {
+    realSubmit = reinterpret_cast<PFN_vkQueueSubmit>(real);
+    return reinterpret_cast<PFN_vkVoidFunction>(countedSubmit);
+  }
+  if (name == std::string_view("vkCreateComputePipelines")) {
+    realCompile = reinterpret_cast<PFN_vkCreateComputePipelines>(real);
+    return reinterpret_cast<PFN_vkVoidFunction>(slowCompile);
+  }
+  return real;
 }
 
 /// The device with turns that are counted.
@@ -58,7 +85,7 @@ Osd::VulkanDevice watched(Osd::VulkanDevice device) {
   return device;
 }
 
-class QueueLockTest : public VulkanTest {
+class SharingTest : public VulkanTest {
  protected:
   const std::vector<Far::LevelTable> levels{randomTable({.sourceCount = 300, .circulants = {{6, 60}}}, 1),
                                             randomTable({.sourceCount = 360, .circulants = {{5, 108}}}, 2)};
@@ -79,7 +106,7 @@ class QueueLockTest : public VulkanTest {
   }
 };
 
-TEST_F(QueueLockTest, IsTakenAroundEverySubmissionAndNothingElse) {
+TEST_F(SharingTest, TheQueuesLockIsTakenAroundEverySubmissionAndNothingElse) {
   auto evaluator = must(Osd::VulkanEvaluator::create(watched(context->device()), {.stageEverything = true}));
   const auto uploaded = table(evaluator);
   const int uploads = turns.within;
@@ -97,7 +124,7 @@ TEST_F(QueueLockTest, IsTakenAroundEverySubmissionAndNothingElse) {
   EXPECT_FALSE(turns.mine) << "given back";
 }
 
-TEST_F(QueueLockTest, OneFunctionOfTwoIsRefused) {
+TEST_F(SharingTest, OneFunctionOfTwoOfALockIsRefused) {
   Osd::VulkanDevice device = context->device();
   device.queueLock.give = nullptr;
   const auto refused = Osd::VulkanEvaluator::create(device);
@@ -107,7 +134,7 @@ TEST_F(QueueLockTest, OneFunctionOfTwoIsRefused) {
 }
 
 // On the `validation` preset its checks of threads see a queue that two use at once.
-TEST_F(QueueLockTest, OneThreadUploadsWhileAnotherSubmitsFrames) {
+TEST_F(SharingTest, OneThreadUploadsWhileAnotherSubmitsFrames) {
   ASSERT_TRUE(context->device().queueLock.given()) << "a context's queue is ready to be shared";
   auto evaluator = makeEvaluator({.stageEverything = true});
   auto frames = must(Osd::VulkanFrames::create(evaluator, table(evaluator)));
@@ -120,6 +147,29 @@ TEST_F(QueueLockTest, OneThreadUploadsWhileAnotherSubmitsFrames) {
   };
   for (std::uint32_t i = 0; i < 5 * kRounds; ++i) EXPECT_TRUE(submitted(i)) << "frame " << i;
   EXPECT_TRUE(uploading.get());
+}
+
+TEST_F(SharingTest, FramesAreRecordedAndSubmittedWhileAnotherTableIsCompiled) {
+  Compiler driver;
+  compiler = &driver;
+  auto evaluator = must(Osd::VulkanEvaluator::create(watched(context->device())));
+  auto session = must(Osd::VulkanSession::create(evaluator, table(evaluator)));
+  const Osd::VulkanTargets targets{.control = session.range(Osd::PointBuffer::control),
+                                   .refined = session.range(Osd::PointBuffer::refined)};
+  const std::vector<Far::LevelTable> others{randomTable({.sourceCount = 300, .circulants = {{9, 60}}}, 3)};
+  const std::size_t before = evaluator.pipelineCount();
+  driver.slow = true;
+  auto compiling =
+      std::async(std::launch::async, [&] { return evaluator.upload(pointersTo(others), nullptr).has_value(); });
+  auto begun = driver.begun.get_future();
+  ASSERT_EQ(begun.wait_for(std::chrono::minutes(1)), std::future_status::ready);
+  must(session.run());
+  EXPECT_TRUE(evaluator.bind(session.table(), targets));
+  EXPECT_EQ(evaluator.pipelineCount(), before) << "it is being compiled still";
+  driver.goOn.set_value();
+  EXPECT_TRUE(compiling.get());
+  EXPECT_GT(evaluator.pipelineCount(), before);
+  compiler = nullptr;
 }
 
 }  // namespace
