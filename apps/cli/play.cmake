@@ -1,8 +1,8 @@
 # The subcommand that needs the renderer.
 target_sources(honeycomb_cli PRIVATE
   play.cpp
-  play/background_build.cpp
   play/backend_choice.cpp
+  play/backend_loader.cpp
   play/clock.cpp
   play/comparison.cpp
   play/device_levels.cpp
@@ -14,6 +14,7 @@ target_sources(honeycomb_cli PRIVATE
   play/options.cpp
   play/orbit.cpp
   play/player.cpp
+  play/rehearsal.cpp
   play/stage.cpp
   play/surface.cpp
   play/surface_loader.cpp

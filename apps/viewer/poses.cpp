@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "far/base/stopwatch.h"
-#include "osd/vulkan/evaluator.h"
 
 namespace honeycomb::Viewer {
 namespace {
@@ -22,18 +21,16 @@ Result<Osd::VulkanFrames> twoFrames(const Osd::VulkanEvaluator& evaluator, const
 
 }  // namespace
 
-Result<DevicePoses> DevicePoses::create(const Osd::VulkanDevice& device, const Far::Refinement& refinement,
+Result<DevicePoses> DevicePoses::create(Osd::VulkanEvaluator evaluator, const Far::Refinement& refinement,
                                         const DevicePosesOptions& options) {
-  auto evaluator = Osd::VulkanEvaluator::create(device, options.evaluation);
-  if (!evaluator) return tl::unexpected(evaluator.error());
   Osd::VulkanTableOptions wanted;
   if (options.normals) wanted.vertexLimits.normals = Osd::BufferDescriptor{};
-  const auto table = evaluator->upload(refinement, wanted);
+  const auto table = evaluator.upload(refinement, wanted);
   if (!table) return tl::unexpected(table.error());
   bool timing = options.timing;
-  auto frames = twoFrames(*evaluator, *table, timing);
+  auto frames = twoFrames(evaluator, *table, timing);
   if (!frames && timing && frames.error().code == ErrorCode::unsupported)
-    frames = twoFrames(*evaluator, *table, timing = false);
+    frames = twoFrames(evaluator, *table, timing = false);
   if (!frames) return tl::unexpected(frames.error());
   return DevicePoses(std::move(*frames), 3 * static_cast<std::size_t>(table->controlCount()), options.normals, timing);
 }

@@ -5,6 +5,7 @@
 
 #include "apps/viewer/bindings.h"
 #include "far/tables/refinement.h"
+#include "osd/vulkan/evaluator.h"
 #include "osd/vulkan/frames.h"
 
 namespace honeycomb::Viewer {
@@ -40,15 +41,14 @@ class Poses {
 struct DevicePosesOptions {
   bool normals = true;  ///< off where the refinement has no limits: the points stand in for the normals
   bool timing = false;  ///< fill PoseTimes::levels, where the device has timestamps
-  Osd::VulkanEvaluatorOptions evaluation{};
 };
 
 /// Refined on the device, drawn from the buffers the refinement left there.
 class DevicePoses : public Poses {
  public:
-  /// Normals are those of the refinement's limits (RefineOptions::limits). `device` must outlive this. Errors: those of
-  /// Osd::VulkanEvaluator::upload and Osd::VulkanFrames::create.
-  static Result<DevicePoses> create(const Osd::VulkanDevice& device, const Far::Refinement& refinement,
+  /// Normals are those of the refinement's limits (RefineOptions::limits). The evaluator's device must outlive this;
+  /// its queue is used as by Osd::VulkanEvaluator::upload. Errors: those of that and of Osd::VulkanFrames::create.
+  static Result<DevicePoses> create(Osd::VulkanEvaluator evaluator, const Far::Refinement& refinement,
                                     const DevicePosesOptions& options = {});
 
   Result<PoseTimes> pose(std::span<const float> control) override;

@@ -21,7 +21,9 @@ SurfacePainter::SurfacePainter(DevicePoses poses, Renderer renderer, CellMesh ce
 Result<SurfacePainter> SurfacePainter::create(const Osd::VulkanDevice& device, const Far::Refinement& refinement,
                                               const RendererOptions& options,
                                               const Osd::VulkanEvaluatorOptions& evaluation) {
-  auto poses = DevicePoses::create(device, refinement, {.evaluation = evaluation});
+  const auto evaluator = Osd::VulkanEvaluator::create(device, evaluation);
+  if (!evaluator) return tl::unexpected(evaluator.error());
+  auto poses = DevicePoses::create(*evaluator, refinement);
   if (!poses) return tl::unexpected(poses.error());
   auto renderer = Renderer::create(device, options);
   if (!renderer) return tl::unexpected(renderer.error());

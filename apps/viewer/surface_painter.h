@@ -14,7 +14,7 @@ namespace honeycomb::Viewer {
 class SurfacePainter {
  public:
   /// The refinement must have its limits (RefineOptions::limits). `device` must outlive the painter.
-  /// Errors: those of DevicePoses::create and Renderer::create.
+  /// Errors: those of Osd::VulkanEvaluator::create, DevicePoses::create and Renderer::create.
   static Result<SurfacePainter> create(const Osd::VulkanDevice& device, const Far::Refinement& refinement,
                                        const RendererOptions& options,
                                        const Osd::VulkanEvaluatorOptions& evaluation = {});

@@ -1,10 +1,11 @@
 // A Vulkan layer that takes a device away from a program: once there is a file of the name in HONEYCOMB_LOSE_DEVICE,
-// the next submission removes it and fails, and so does everything that is asked of that device afterwards, as after a
-// reset of a GPU. Devices that are made later work.
+// the next submission to a device that draws in a window removes it and fails, and so does everything that is asked of
+// that device afterwards, as after a reset of a GPU. Devices that are made later work.
 
 #include <unistd.h>
 #include <vulkan/vk_layer.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -16,6 +17,7 @@ namespace {
 struct DeviceCalls {
   PFN_vkGetDeviceProcAddr find = nullptr;
   VkDevice device = VK_NULL_HANDLE;
+  bool presents = false;
   bool lost = false;
 
   template <class Function>
@@ -50,7 +52,7 @@ bool isLost(const void* handle) {
   const std::lock_guard lock(layer().mutex);
   DeviceCalls& calls = layer().devices.at(keyOf(handle));
   const char* order = std::getenv("HONEYCOMB_LOSE_DEVICE");
-  if (!calls.lost && order != nullptr && unlink(order) == 0) {
+  if (calls.presents && !calls.lost && order != nullptr && unlink(order) == 0) {
     // What a lost device had begun is over.
     calls.next<PFN_vkDeviceWaitIdle>("vkDeviceWaitIdle")(calls.device);
     calls.lost = true;
@@ -96,7 +98,11 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
   const VkResult result = create(physical, info, allocator, device);
   if (result != VK_SUCCESS) return result;
   const std::lock_guard lock(layer().mutex);
-  layer().devices[keyOf(*device)] = {find, *device, false};
+  const char* const* extensions = info->ppEnabledExtensionNames;
+  const bool presents = std::any_of(extensions, extensions + info->enabledExtensionCount, [](const char* name) {
+    return std::strcmp(name, VK_KHR_SWAPCHAIN_EXTENSION_NAME) == 0;
+  });
+  layer().devices[keyOf(*device)] = {find, *device, presents, false};
   return result;
 }
 

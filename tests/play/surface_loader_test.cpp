@@ -2,57 +2,55 @@
 
 #include <future>
 
-#include "tests/cli/workplace.h"
+#include "tests/play/stage_fixture.h"
 
 namespace honeycomb::Test {
 namespace {
 
 using namespace Cli::Play;
 
-class SurfaceLoaderTest : public Workplace {
+class SurfaceLoaderTest : public StageTest {
  protected:
-  static void SetUpTestSuite() { stage_ = new Stage(Stage::open({.picture = {64, 48}}).value()); }
-  static void TearDownTestSuite() {
-    delete stage_;
-    stage_ = nullptr;
-  }
-  SurfaceRequest request(const std::string& obj) const {
-    SurfaceRequest wanted;
-    wanted.surface.input = file("mesh.obj", obj);
-    return wanted;
-  }
-  static Viewer::Picture picture(const PlaySurface& surface) {
-    EXPECT_TRUE(stage_->pose("tbb", 0));
-    return stage_->picture({}, Orbit::framing(surface.outline(), surface.bounds(), 64.0F / 48)).value();
-  }
-
-  static Stage* stage_;
   SurfaceLoader loader_;
 };
-Stage* SurfaceLoaderTest::stage_ = nullptr;
 
 TEST_F(SurfaceLoaderTest, WhatAnotherThreadHasLoadedIsThePictureOfShowingIt) {
-  ASSERT_TRUE(stage_->show(PlaySurface::build(request(torusObj(4))).value()));
-  const Viewer::Picture torus = picture(stage_->surface());
+  ASSERT_TRUE(stage_->show(surface(torusObj(4))));
+  const Viewer::Picture torus = picture();
   const SurfaceRequest cube = request(cubeObj());
   ASSERT_TRUE(stage_->show(PlaySurface::build(cube).value()));
-  const Viewer::Picture expected = picture(stage_->surface());
+  const Viewer::Picture expected = picture();
   ASSERT_NE(torus.rgba, expected.rgba);
 
-  ASSERT_TRUE(stage_->show(PlaySurface::build(request(torusObj(4))).value()));
+  ASSERT_TRUE(stage_->show(surface(torusObj(4))));
   loader_.useStage(stage_);
   loader_.expect({{"tbb"}, Viewer::Colouring::plain});
   (void)request(cubeObj());
   auto building = std::async(std::launch::async, [&] { return loader_.build(cube).value(); });
   // What is shown is drawn meanwhile.
-  EXPECT_EQ(picture(stage_->surface()).rgba, torus.rgba);
+  EXPECT_EQ(picture().rgba, torus.rgba);
   const auto surface = building.get();
   auto loaded = loader_.take(*surface);
   ASSERT_TRUE(loaded);
   EXPECT_TRUE(loaded->poses.contains("tbb")) << "and what refines it";
   stage_->show(std::move(*loaded));
-  EXPECT_EQ(picture(*surface).rgba, expected.rgba);
+  EXPECT_EQ(picture().rgba, expected.rgba);
   EXPECT_FALSE(loader_.take(*surface)) << "once";
+}
+
+TEST_F(SurfaceLoaderTest, TablesForTheDeviceComeWithTheSurface) {
+  ASSERT_TRUE(stage_->show(surface(torusObj(4))));
+  const Viewer::Picture torus = picture();
+  const SurfaceRequest cube = request(cubeObj());
+  loader_.useStage(stage_);
+  loader_.expect({{"vulkan"}, Viewer::Colouring::plain});
+  auto building = std::async(std::launch::async, [&] { return loader_.build(cube).value(); });
+  EXPECT_EQ(picture().rgba, torus.rgba) << "meanwhile";
+  auto loaded = loader_.take(*building.get());
+  ASSERT_TRUE(loaded);
+  stage_->show(std::move(*loaded));
+  EXPECT_TRUE(stage_->refinesBy("vulkan")) << "nothing is left to do for the thread that draws";
+  EXPECT_EQ(picture("vulkan").rgba, picture("tbb").rgba);
 }
 
 TEST_F(SurfaceLoaderTest, WithoutAStageSurfacesAreBuiltAlone) {

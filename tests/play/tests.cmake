@@ -3,6 +3,7 @@ honeycomb_test(play_test
   LABELS vulkan
   SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/backend_choice_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/backend_loader_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/clock_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/headless_errors_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/headless_test.cpp

@@ -22,7 +22,7 @@ double unitsBetween(float a, float b) {
 Result<double> largestDifference(Stage& stage, std::int32_t frame) {
   std::vector<float> reference;
   double most = 0;
-  for (const char* backend : {"serial", "tbb", "vulkan"}) {
+  for (const char* backend : kComparedBackends) {
     const auto posed = stage.pose(backend, frame);
     if (!posed) return tl::unexpected(posed.error());
     const std::span<const float> points = stage.refined();

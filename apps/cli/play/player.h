@@ -5,7 +5,7 @@
 #include <string>
 
 #include "apps/cli/play/backend_choice.h"
-#include "apps/cli/play/background_build.h"
+#include "apps/cli/play/background_work.h"
 #include "apps/cli/play/clock.h"
 #include "apps/cli/play/history.h"
 #include "apps/cli/play/orbit.h"
@@ -77,6 +77,7 @@ class Player {
   Panels panels;
   Histories histories;
   bool comparing = false;
+  bool awaited = false;  ///< the backend, whose tables are being brought while another refines
   bool screenshotWanted = false;
   bool quit = false;
 

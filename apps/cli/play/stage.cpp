@@ -4,12 +4,11 @@
 
 #include "apps/cli/chain.h"
 #include "apps/cli/play/host_poses.h"
+#include "apps/cli/play/rehearsal.h"
 #include "io/cache_folder.h"
 
 namespace honeycomb::Cli::Play {
 namespace {
-
-constexpr std::string_view kDeviceBackend = "vulkan";
 
 template <class Kind>
 Result<std::unique_ptr<Viewer::Poses>> onHeap(Result<Kind> poses) {
@@ -19,12 +18,14 @@ Result<std::unique_ptr<Viewer::Poses>> onHeap(Result<Kind> poses) {
 
 }  // namespace
 
-Stage::Stage(std::unique_ptr<Osd::VulkanContext> context, Viewer::Renderer renderer)
-    : context_(std::move(context)), renderer_(std::move(renderer)) {}
+Stage::Stage(std::unique_ptr<Osd::VulkanContext> context, Result<Osd::VulkanEvaluator> evaluator,
+             Viewer::Renderer renderer)
+    : context_(std::move(context)), evaluator_(std::move(evaluator)), renderer_(std::move(renderer)) {}
 Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&& other) noexcept {
   // What is on the device goes before the device does.
   std::swap(context_, other.context_);
+  std::swap(evaluator_, other.evaluator_);
   std::swap(renderer_, other.renderer_);
   std::swap(shown_, other.shown_);
   std::swap(posed_, other.posed_);
@@ -42,7 +43,9 @@ Result<Stage> Stage::open(const StageOptions& options) {
   auto owned = std::make_unique<Osd::VulkanContext>(std::move(*context));
   auto renderer = Viewer::Renderer::create(owned->device(), options.picture);
   if (!renderer) return tl::unexpected(renderer.error());
-  return Stage(std::move(owned), std::move(*renderer));
+  auto evaluator = Osd::VulkanEvaluator::create(
+      owned->device(), {.pipelineCache = Osd::pipelineCacheIn(Io::cacheFolder(), owned->deviceName())});
+  return Stage(std::move(owned), std::move(evaluator), std::move(*renderer));
 }
 
 Result<LoadedSurface> Stage::load(std::shared_ptr<const PlaySurface> surface, const LoadOptions& options) const {
@@ -56,10 +59,7 @@ Result<LoadedSurface> Stage::load(std::shared_ptr<const PlaySurface> surface, co
   if (!cage) return tl::unexpected(cage.error());
   LoadedSurface loaded{surface, std::move(*cells), std::move(*cage), options.colouring, {}};
   for (const std::string& backend : options.backends) {
-    // Tables go to the device through its queue, which is the drawing thread's; what can't be made ready is made, and
-    // its error met, where it is used.
-    if (backend == kDeviceBackend) continue;
-    if (auto made = makePoses(backend, *surface)) loaded.poses.emplace(backend, std::move(*made));
+    if (auto made = prepare(backend, *surface)) loaded.poses.emplace(backend, std::move(*made));
   }
   return loaded;
 }
@@ -79,11 +79,21 @@ Result<void> Stage::show(std::shared_ptr<const PlaySurface> surface) {
 
 Result<std::unique_ptr<Viewer::Poses>> Stage::makePoses(const std::string& backend, const PlaySurface& surface) const {
   if (backend != kDeviceBackend) return onHeap(HostPoses::create(backend, surface, renderer_));
-  return onHeap(Viewer::DevicePoses::create(
-      context_->device(), surface.refinement(),
-      {surface.hasNormals(),
-       true,
-       {.pipelineCache = Osd::pipelineCacheIn(Io::cacheFolder(), context_->deviceName())}}));
+  if (!evaluator_) return tl::unexpected(evaluator_.error());
+  return onHeap(Viewer::DevicePoses::create(*evaluator_, surface.refinement(), {surface.hasNormals(), true}));
+}
+
+Result<std::unique_ptr<Viewer::Poses>> Stage::prepare(const std::string& backend, const PlaySurface& surface) const {
+  const auto kernels = [this] { return evaluator_ ? evaluator_->pipelineCount() : 0; };
+  const std::size_t before = kernels();
+  auto made = makePoses(backend, surface);
+  const bool compilesLate = context_->info().type == VK_PHYSICAL_DEVICE_TYPE_CPU;
+  if (made && compilesLate && kernels() > before) rehearse(context_->deviceName(), surface);
+  return made;
+}
+
+void Stage::add(const std::string& backend, std::unique_ptr<Viewer::Poses> poses) {
+  shown_.poses.emplace(backend, std::move(poses));
 }
 
 Result<Viewer::Poses*> Stage::poses(const std::string& backend) {

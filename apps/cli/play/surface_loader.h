@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/cli/play/background_build.h"
+#include "apps/cli/play/background_work.h"
 #include "apps/cli/play/stage.h"
 
 namespace honeycomb::Cli::Play {

@@ -105,12 +105,13 @@ void layOutHelp(Player& player) {
 
 void layOutMessage(const Player& player) {
   const bool fresh = !player.message().empty() && player.messageAge() < kMessageSeconds;
-  if (!fresh && !player.building()) return;
+  if (!fresh && !player.building() && !player.awaited) return;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({0.5f * size.x, size.y - 74}, ImGuiCond_Always, {0.5f, 1});
   ImGui::Begin("message", nullptr, kFixed | ImGuiWindowFlags_NoInputs);
   ImGui::PushTextWrapPos(640);
   if (player.building()) ImGui::TextDisabled("building tables ..");
+  if (player.awaited) ImGui::TextDisabled("bringing the tables to %s ..", player.backend.current().c_str());
   if (fresh) ImGui::TextUnformatted(player.message().c_str());
   ImGui::PopTextWrapPos();
   ImGui::End();

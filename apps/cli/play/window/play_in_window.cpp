@@ -61,6 +61,7 @@ Result<void> playInWindow(const PlayCommand& command, const Session& session) {
                                {"seconds", summary->seconds},
                                {"frames_per_second", static_cast<double>(summary->frames) / summary->seconds},
                                {"first_picture_ms", summary->firstPictureMs},
+                               {"longest_gap_ms", summary->longestGapMs},
                                {"evaluate_ms", player.histories.evaluate.median()},
                                {"device_levels", deviceLevels(player.histories.levels)},
                                {"upload_ms", player.histories.upload.median()},

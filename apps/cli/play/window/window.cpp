@@ -42,6 +42,11 @@ bool sameSize(VkExtent2D a, VkExtent2D b) {
   return a.width == b.width && a.height == b.height;
 }
 
+/// What refines while there is no other picture to look at: nothing that a device first compiles.
+std::string soonest(const std::string& wanted) {
+  return wanted == kDeviceBackend ? "tbb" : wanted;
+}
+
 bool sameLook(const Appearance& a, const Appearance& b) {
   return a.look == b.look && a.edges == b.edges && a.cage == b.cage && a.normals == b.normals;
 }
@@ -68,6 +73,7 @@ Window::~Window() {
 
 void Window::closeDevice() {
   loader_.useStage(nullptr);
+  backends_.reset();
   screen_.reset();
   stage_.reset();
 }
@@ -81,6 +87,7 @@ Result<void> Window::openDevice() {
   if (!screen) return tl::unexpected(screen.error());
   screen_.emplace(std::move(*screen));
   loader_.useStage(&*stage_);
+  backends_.emplace(*stage_);
   facts_.device = stage_->context().deviceName();
   everDrawn_ = false;
   return {};
@@ -140,7 +147,8 @@ Result<void> Window::frame(double seconds) {
   // Minimized.
   const VkExtent2D size = framebufferOf(handle_.get());
   if (size.width == 0 || size.height == 0) return {};
-  loader_.expect({{player_.backend.first()}, stage_->colouring()});
+  const std::string next = player_.backend.first();
+  loader_.expect({{player_.surface() ? next : soonest(next)}, stage_->colouring()});
   if (player_.update(seconds, aspect()))
     if (const auto taken = takeSurface(); !taken) return taken;
   if (player_.failure()) return tl::unexpected(*player_.failure());
@@ -156,22 +164,51 @@ Result<void> Window::frame(double seconds) {
   return draw();
 }
 
-Result<void> Window::pose() {
-  const std::int32_t frame = player_.clock.frame();
-  newPose_ = frame != posedFrame_ || player_.backend.current() != posedBackend_;
-  if (!newPose_) return {};
-  if (player_.comparing) {
-    const auto difference = largestDifference(*stage_, frame);
-    if (difference) player_.reportDifference(*difference);
-    if (!difference && difference.error().code == ErrorCode::deviceLost) return tl::unexpected(difference.error());
+Result<std::string> Window::refiningBackend() {
+  if (stage_->readyBackend().empty()) return soonest(player_.backend.current());
+  auto ready = backends_->ready(player_.backend.current());
+  while (!ready && ready.error().code != ErrorCode::deviceLost && player_.backendFailed(ready.error()))
+    ready = backends_->ready(player_.backend.current());
+  if (!ready) return tl::unexpected(ready.error());
+  if (*ready) return player_.backend.current();
+  return stage_->refinesBy(posedBackend_) ? posedBackend_ : stage_->readyBackend();
+}
+
+Result<void> Window::compare(std::int32_t frame) {
+  for (const char* backend : kComparedBackends) {
+    const auto ready = backends_->ready(backend);
+    if (ready && !*ready) return {};
+    if (ready) continue;
+    if (ready.error().code == ErrorCode::deviceLost) return tl::unexpected(ready.error());
+    player_.comparing = false;
+    player_.say(ready.error().message);
+    return {};
   }
-  auto posed = stage_->pose(player_.backend.current(), frame);
-  while (!posed && posed.error().code != ErrorCode::deviceLost && player_.backendFailed(posed.error()))
-    posed = stage_->pose(player_.backend.current(), frame);
+  const auto difference = largestDifference(*stage_, frame);
+  if (difference) player_.reportDifference(*difference);
+  if (!difference && difference.error().code == ErrorCode::deviceLost) return tl::unexpected(difference.error());
+  return {};
+}
+
+Result<void> Window::pose() {
+  const auto refining = refiningBackend();
+  if (!refining) return tl::unexpected(refining.error());
+  std::string backend = *refining;
+  const std::int32_t frame = player_.clock.frame();
+  player_.awaited = backend != player_.backend.current();
+  newPose_ = frame != posedFrame_ || backend != posedBackend_;
+  if (!newPose_) return {};
+  if (player_.comparing)
+    if (const auto compared = compare(frame); !compared) return compared;
+  auto posed = stage_->pose(backend, frame);
+  while (!posed && posed.error().code != ErrorCode::deviceLost && player_.backendFailed(posed.error())) {
+    backend = player_.backend.current();
+    posed = stage_->pose(backend, frame);
+  }
   if (!posed) return tl::unexpected(posed.error());
   posed_ = std::move(*posed);
   posedFrame_ = frame;
-  posedBackend_ = player_.backend.current();
+  posedBackend_ = backend;
   if (Viewer::looks()[player_.appearance.look].flatness)
     facts_.bend = Viewer::flatness(stage_->surface().refinement().last().topology, stage_->refined());
   return {};
@@ -212,8 +249,11 @@ Result<void> Window::draw() {
   if (!*shown) return screen_->resize();
   everDrawn_ = true;
   drawn_ = now;
+  const double gap = sinceShown_.lap();
+  if (summary_.frames > 0) summary_.longestGapMs = std::max(summary_.longestGapMs, gap);
   if (newPose_ || summary_.frames == 0) ++summary_.frames;
-  if (newPose_) player_.report({posed_.evaluate, posed_.upload, watch.milliseconds(), posed_.levels});
+  if (newPose_ && !player_.awaited)
+    player_.report({posed_.evaluate, posed_.upload, watch.milliseconds(), posed_.levels});
   return {};
 }
 

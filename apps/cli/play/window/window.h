@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "apps/cli/play/backend_loader.h"
 #include "apps/cli/play/options.h"
 #include "apps/cli/play/player.h"
 #include "apps/cli/play/surface_loader.h"
@@ -33,6 +34,7 @@ struct WindowSummary {
   std::int64_t frames = 0;
   double seconds = 0;         ///< since the first picture
   double firstPictureMs = 0;  ///< from the command
+  double longestGapMs = 0;    ///< between two pictures
 };
 
 /// A window that shows a player, and the device it draws with. Belongs to the main thread.
@@ -66,6 +68,9 @@ class Window {
   Result<void> frame(double seconds);
   Result<void> takeSurface();
   Result<void> fitSize();
+  /// The backend that is asked for once it is ready, until then what refined before.
+  Result<std::string> refiningBackend();
+  Result<void> compare(std::int32_t frame);
   Result<void> pose();
   Result<void> draw();
   Result<void> recover(const Error& error);
@@ -81,6 +86,7 @@ class Window {
   InterfaceContext interface_;
   std::optional<Stage> stage_;
   std::optional<Screen> screen_;
+  std::optional<BackendLoader> backends_;
   InterfaceFacts facts_;
   std::string pictureNames_;
   Drawn drawn_;
@@ -92,6 +98,7 @@ class Window {
   Drawn seen_;
   bool everDrawn_ = false;
   Stopwatch sinceCommand_;
+  Stopwatch sinceShown_;
   WindowSummary summary_;
 };
 
