@@ -97,6 +97,21 @@ TEST_F(PlayerTest, TheOldSurfaceStaysWhileAnotherIsBuilt) {
   EXPECT_EQ(player->surface()->refinement().levelCount(), 3);
 }
 
+TEST_F(PlayerTest, AMessageGoesWithAKeyOnceItCouldBeSeen) {
+  const auto player = playing();
+  settle(*player);
+  player->say("mind the gap");
+  player->update(0.25, 1.6F);
+  press(*player, keyOf('F'));
+  EXPECT_EQ(player->message(), "mind the gap") << "just said";
+  player->update(0.5, 1.6F);
+  press(*player, keyOf('B'));
+  EXPECT_THAT(player->message(), HasSubstr("refined by")) << "the key's own";
+  player->update(0.75, 1.6F);
+  press(*player, keyOf('F'));
+  EXPECT_EQ(player->message(), "");
+}
+
 TEST_F(PlayerTest, OfManyChangesTheLastIsBuilt) {
   Gate gate;
   const auto player = playing([&gate](const SurfaceRequest& wanted) {

@@ -124,6 +124,7 @@ std::span<const KeyCommand> keyCommands() {
 bool press(Player& player, Key key) {
   for (const KeyCommand& command : kCommands)
     if (command.key == key) {
+      player.dismissMessage();
       command.act(player);
       return true;
     }

@@ -24,7 +24,7 @@ struct KeyCommand {
 /// All of them, in the order of the help.
 std::span<const KeyCommand> keyCommands();
 
-/// Does what the key is for. False where it is for nothing.
+/// Does what the key is for, and puts the last message away. False where it is for nothing.
 bool press(Player& player, Key key);
 
 }  // namespace honeycomb::Cli::Play

@@ -12,6 +12,7 @@
 namespace honeycomb::Cli::Play {
 namespace {
 
+constexpr double kSeenSeconds = 0.5;  ///< that a message stays at least
 constexpr std::array<const char*, 5> kCycle{"auto", "serial", "simd", "tbb", "vulkan"};
 
 }  // namespace
@@ -137,6 +138,10 @@ void Player::frameAll() {
 void Player::say(std::string message) {
   message_ = std::move(message);
   messageAge_ = 0;
+}
+
+void Player::dismissMessage() {
+  if (messageAge_ > kSeenSeconds) message_.clear();
 }
 
 const SchemeOption* Player::chosenOption() const {

@@ -64,6 +64,8 @@ class Player {
 
   void say(std::string message);
   const std::string& message() const { return message_; }
+  /// The user goes on: a message that could be seen by now goes.
+  void dismissMessage();
   /// Seconds since the message.
   double messageAge() const { return messageAge_; }
 
