@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "apps/cli/play/background_work.h"
@@ -18,7 +19,6 @@ class BackendLoader {
   /// Is the backend ready for Stage::pose? Where it isn't, it is being made so from now on: ask again. Errors: of
   /// Stage::prepare, once; asking again tries again.
   Result<bool> ready(const std::string& backend);
-  bool busy() const { return work_.busy(); }
 
  private:
   struct Request {

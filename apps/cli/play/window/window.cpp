@@ -113,6 +113,8 @@ Result<WindowSummary> Window::run(double seconds) {
     if (seconds > 0 && summary_.frames > 0 && open.milliseconds() > 1000 * seconds) break;
   }
   summary_.seconds = open.milliseconds() / 1000;
+  // What is still being built is waited for, but not by the user.
+  glfwHideWindow(handle_.get());
   return summary_;
 }
 
