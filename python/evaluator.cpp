@@ -30,7 +30,7 @@ class Evaluator {
     const std::int32_t level = tables_.level(given);
     const std::int64_t rows = tables_.counts(level).points;
     const hc_points source = pointsOf(control, "control", tables_.info().control_points);
-    const py::object refined = out.is_none() ? newPoints(rows, source.length) : out;
+    py::object refined = out.is_none() ? newPoints(rows, source.length) : out;
     const hc_points_out target = pointsOutOf(refined, "out", rows, source.length);
     const Optional directions(normals, "normals", rows);
     run([&] { return hc_evaluate(evaluator_.get(), tables_.get(), level, &source, &target, directions.get()); });
@@ -43,7 +43,7 @@ class Evaluator {
     const bool vertices = chosen(kind, std::array{"vertex", "face"}, "kind") == 0;
     const std::int64_t rows = vertices ? counts.vertices : counts.faces;
     const hc_points source = pointsOf(points, "points", counts.points, 3);
-    const py::object positions = out.is_none() ? newPoints(rows, 3) : out;
+    py::object positions = out.is_none() ? newPoints(rows, 3) : out;
     const hc_points_out target = pointsOutOf(positions, "out", rows, 3);
     const Optional directions(normals, "normals", rows);
     run([&] {

@@ -55,6 +55,7 @@ void check(hc_status status) {
 
 void addFailures(py::module_& module) {
   module.attr("__doc__") = "The extension behind the package honeycomb: use that.";
+  // pybind11 asks for this very type. NOLINTNEXTLINE(performance-unnecessary-value-param)
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

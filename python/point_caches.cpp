@@ -110,7 +110,7 @@ class FrameWriter {
   }
 
   Result<void> end(Io::StreamWriter& writer) {
-    const Result<void> finished = writer.finish();
+    Result<void> finished = writer.finish();
     writer_.reset();
     return finished;
   }
