@@ -19,15 +19,14 @@ py::array arrayOf(const py::object& given, const char* name, const char* type) {
   return array;
 }
 
+/// `columns` 0: any number.
 void checkShape(const py::array& array, const char* name, std::int64_t rows, std::int64_t columns) {
-  const bool right = array.ndim() == 2 && (rows < 0 || array.shape(0) == rows) &&
-                     (columns == 0 ? array.shape(1) >= 1 && array.shape(1) <= std::numeric_limits<std::int32_t>::max()
-                                   : array.shape(1) == columns);
-  if (right) return;
-  const auto wanted = [](std::int64_t count, const char* any) { return count > 0 ? std::to_string(count) : any; };
+  constexpr py::ssize_t kMost = std::numeric_limits<std::int32_t>::max();
+  if (array.ndim() == 2 && array.shape(0) == rows &&
+      (columns == 0 ? array.shape(1) >= 1 && array.shape(1) <= kMost : array.shape(1) == columns))
+    return;
   throw py::value_error(fmt::format("{} has the shape {}; give ({}, {})", name,
-                                    std::string(py::str(array.attr("shape"))), rows >= 0 ? std::to_string(rows) : "n",
-                                    wanted(columns, "3")));
+                                    std::string(py::str(array.attr("shape"))), rows, columns > 0 ? columns : 3));
 }
 
 /// In floats: how far apart rows are.

@@ -19,8 +19,8 @@ namespace honeycomb::Python {
 std::string typeName(const py::object& given);
 
 /// Points of the caller's: an array of float32, a row a point, the numbers of a row beside each other; rows may be
-/// apart, so that positions[:, :3] of a wider array will do. `rows` < 0: any number, `columns` 0 likewise. The array is
-/// the caller's to keep. Throws TypeError for another type, ValueError for another shape or layout; both name `name`.
+/// apart, so that positions[:, :3] of a wider array will do. `columns` 0: any number. The array is the caller's to
+/// keep. Throws TypeError for another type, ValueError for another shape or layout; both name `name`.
 hc_points pointsOf(const py::object& given, const char* name, std::int64_t rows, std::int64_t columns = 0);
 /// The same of an array that is written.
 hc_points_out pointsOutOf(const py::object& given, const char* name, std::int64_t rows, std::int64_t columns = 0);
