@@ -217,14 +217,14 @@ Error inFile(const std::string& file, Error error) {
 }
 
 Error located(const MeshInput& input, const Error& error) {
-  if (error.kind == ElementKind::other || error.element < 0) return inFile(input.file, error);
+  const std::string name = elementName(error.kind, error.element);
+  const std::size_t place = error.message.find(name);
+  if (error.kind == ElementKind::other || place == std::string::npos) return inFile(input.file, error);
   const bool face = error.kind == ElementKind::face;
   const std::int64_t line = lineAt(face ? input.mesh.faceLines : input.mesh.vertexLines, error.element);
   const std::int64_t number = (face ? error.element : input.fileVertex(error.element)) + 1;
   std::string message = error.message;
-  const std::string name = elementName(error.kind, error.element);
-  if (const std::size_t place = message.find(name); place != std::string::npos)
-    message.replace(place, name.size(), fmt::format("{} {}", face ? "face" : "vertex", number));
+  message.replace(place, name.size(), fmt::format("{} {}", face ? "face" : "vertex", number));
   return {error.code,
           fmt::format("{}: {} (numbers count from 1{})", placeInFile(input, line), message, countedAs(input)), line};
 }

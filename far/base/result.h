@@ -29,7 +29,7 @@ struct Error {
   ErrorCode code = ErrorCode::invalidOption;
   std::string message;        ///< one line: what is wrong, where, and what to do
   std::int64_t element = -1;  ///< the caller's face, vertex, line or frame number where one is meant, else -1
-  ElementKind kind = ElementKind::other;  ///< vertex, face: called elementName() in the message
+  ElementKind kind = ElementKind::other;  ///< what the element is
 };
 
 /// "vertex 12 (counted from 0)". A program whose users count otherwise puts its own words in the place of these.

@@ -35,7 +35,8 @@ Error defectError(const std::vector<Defect>& defects) {
   std::string message = describe(first);
   if (defects.size() > 1) message += fmt::format(" ({} defects in all)", defects.size());
   message += fmt::format("; {}", remedy(first.kind));
-  return {ErrorCode::invalidMesh, std::move(message), first.face >= 0 ? first.face : first.vertex};
+  if (first.face >= 0) return {ErrorCode::invalidMesh, std::move(message), first.face, ElementKind::face};
+  return {ErrorCode::invalidMesh, std::move(message), first.vertex, ElementKind::vertex};
 }
 
 /// The caller's faces in the order asked for.

@@ -44,6 +44,7 @@ Far::Defect onlyDefect(const Far::Polygons& mesh, DefectKind kind) {
   EXPECT_EQ(topology.error().message.find('\n'), std::string::npos) << "one line";
   const std::int64_t element = defects[0].face >= 0 ? defects[0].face : defects[0].vertex;
   EXPECT_EQ(topology.error().element, element);
+  EXPECT_EQ(topology.error().kind, defects[0].face >= 0 ? ElementKind::face : ElementKind::vertex);
   return defects[0];
 }
 

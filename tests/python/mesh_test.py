@@ -72,7 +72,8 @@ class Polygons(unittest.TestCase):
     def test_polygons_that_are_no_manifold_name_their_face(self):
         with self.assertRaisesRegex(honeycomb.Error, "face 5 names vertex 99") as caught:
             honeycomb.Tables(honeycomb.Mesh(CUBE_POINTS, np.vstack([CUBE_FACES[:5], [[2, 0, 4, 99]]])))
-        self.assertEqual(("INVALID_MESH", 5), (caught.exception.code, caught.exception.element))
+        self.assertEqual(("INVALID_MESH", 5, "face"),
+                         (caught.exception.code, caught.exception.element, caught.exception.element_kind))
         with self.assertRaisesRegex(TypeError, "give a honeycomb.Mesh"):
             honeycomb.Tables(CUBE_POINTS)
 
