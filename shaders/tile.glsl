@@ -10,16 +10,18 @@
 // the next, firstRecord the numbers before the first; firstOutput is the points of a slice of the scratch.
 
 layout(constant_id = 10) const uint kCases = 0xffffffffu;  // bit k: the table has steps of case k
-layout(constant_id = 11) const uint kPlacing = 0u;         // how points are written: one of the three below
+layout(constant_id = 11) const uint kPlacing = 0u;         // how points are written: one of the four below
 layout(constant_id = 12) const bool kShares = true;        // tiles import shared points
 layout(constant_id = 13) const uint kOtherCases = 0xffffffffu;  // as kCases, from case 32 on
 layout(constant_id = 14) const uint kNormalPage = 1u;           // pages of points come first, then those of normals
 layout(constant_id = 15) const bool kNormalPairs = false;       // two packed normals of a face are three aligned vec2
+layout(constant_id = 16) const bool kSameWeights = false;       // a face has the same weights at all its stages
 
 // Osd::TilePlacing. Stores are what lavapipe is slowest at, and cost by their number.
 const uint kNumbers = 0u;  // number by number
 const uint kWhole = 1u;    // a point is one aligned vec4
 const uint kPairs = 2u;    // two packed points of a face are three aligned vec2
+const uint kFours = 3u;    // four packed points of a face are three aligned vec4, six are four and a vec2
 
 layout(set = 0, binding = 0, std430) writeonly buffer Target { float values[]; } target[8];
 layout(set = 0, binding = 0, std430) writeonly buffer WholeTarget { vec4 values[]; } wholeTarget[8];
@@ -111,6 +113,32 @@ void writePair(uint point, vec4 p, vec4 q) {
   pairedTarget[0].values[n + 2u] = q.yz;
 }
 
+// The points of a face, the first of which is a multiple of four.
+void writeFour(uint point, vec4 p, vec4 q, vec4 r, vec4 s) {
+  const uint n = (push.targetOffset + point * 3u) / 4u;
+  wholeTarget[0].values[n] = vec4(p.xyz, q.x);
+  wholeTarget[0].values[n + 1u] = vec4(q.yz, r.xy);
+  wholeTarget[0].values[n + 2u] = vec4(r.z, s.xyz);
+}
+
+// A hexagon, whose first point is even: nine vec2, of which the first or the last stands alone and the others are whole
+// vec4. The same stores either way, since invocations side by side go both.
+void writeSix(uint point, const vec4 p[6]) {
+  const uint n = (push.targetOffset + point * 3u) / 2u;
+  const bool odd = (n & 1u) != 0u;
+  vec2 halves[9];
+  for (int i = 0; i < 6; i += 2) {
+    halves[i / 2 * 3] = p[i].xy;
+    halves[i / 2 * 3 + 1] = vec2(p[i].z, p[i + 1].x);
+    halves[i / 2 * 3 + 2] = p[i + 1].yz;
+  }
+  for (int i = 0; i < 4; ++i) {
+    const vec4 even = vec4(halves[2 * i], halves[2 * i + 1]);
+    wholeTarget[0].values[(n + 1u) / 2u + uint(i)] = odd ? vec4(halves[2 * i + 1], halves[2 * i + 2]) : even;
+  }
+  pairedTarget[0].values[odd ? n : n + 8u] = odd ? halves[0] : halves[8];
+}
+
 float importedNumber(uint import, uint c) {
   if (!kShares || (import & kSharedImport) == 0u) return root[push.sourceOffset + import * kSourceStride + c];
   return sharedNumbers[push.firstRecord + (import & ~kSharedImport) * push.sides + c];
@@ -134,41 +162,49 @@ void importPoints(uint first, uint count) {
 #define N 4
 #define SHAPE SHAPE_QUAD
 #define EVOLVE evolveQuad
+#define WRITE writeQuad
 #define FACES facesQuad
 #include "tile_faces.glsl"
 #define N 6
 #define SHAPE SHAPE_HEXAGON
 #define EVOLVE evolveHexagon
+#define WRITE writeHexagon
 #define FACES facesHexagon
 #include "tile_faces.glsl"
 #define N 4
 #define SHAPE SHAPE_EVEN_ODD
 #define EVOLVE evolveEvenOdd4
+#define WRITE writeEvenOdd4
 #define FACES facesEvenOdd4
 #include "tile_faces.glsl"
 #define N 6
 #define SHAPE SHAPE_EVEN_ODD
 #define EVOLVE evolveEvenOdd6
+#define WRITE writeEvenOdd6
 #define FACES facesEvenOdd6
 #include "tile_faces.glsl"
 #define N 8
 #define SHAPE SHAPE_EVEN_ODD
 #define EVOLVE evolveEvenOdd8
+#define WRITE writeEvenOdd8
 #define FACES facesEvenOdd8
 #include "tile_faces.glsl"
 #define N 3
 #define SHAPE SHAPE_DIRECT
 #define EVOLVE evolveDirect3
+#define WRITE writeDirect3
 #define FACES facesDirect3
 #include "tile_faces.glsl"
 #define N 5
 #define SHAPE SHAPE_DIRECT
 #define EVOLVE evolveDirect5
+#define WRITE writeDirect5
 #define FACES facesDirect5
 #include "tile_faces.glsl"
 #define N 7
 #define SHAPE SHAPE_DIRECT
 #define EVOLVE evolveDirect7
+#define WRITE writeDirect7
 #define FACES facesDirect7
 #include "tile_faces.glsl"
 

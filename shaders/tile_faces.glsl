@@ -1,5 +1,6 @@
-// Faces of N sides, all of whose matrices have the form SHAPE: EVOLVE brings a face's points to the next level, FACES
-// runs a step. Included once for each kind; the order of operations is that of far/tables/level_table.h.
+// Faces of N sides, all of whose matrices have the form SHAPE: EVOLVE brings a face's points to the next level, WRITE
+// writes those of the wanted level, FACES runs a step. Included once for each kind; the order of operations is that of
+// far/tables/level_table.h.
 //     record   (N+1)/2 words of two corners each, then the first output; whole texels
 #define TEXELS (((N + 1) / 2 + 4) / 4)
 #if SHAPE == SHAPE_QUAD || SHAPE == SHAPE_HEXAGON
@@ -8,9 +9,7 @@
 #define WEIGHT_TEXELS ((N + 3) / 4)
 #endif
 
-void EVOLVE(inout vec4 p[N], uint firstWeight) {
-  vec4 w[WEIGHT_TEXELS];
-  for (int i = 0; i < WEIGHT_TEXELS; ++i) w[i] = weightsAt(firstWeight + uint(i));
+void EVOLVE(inout vec4 p[N], const vec4 w[WEIGHT_TEXELS]) {
   vec4 before[N] = p;
 #define VALUE vec4
 #define BEFORE before
@@ -27,9 +26,36 @@ void EVOLVE(inout vec4 p[N], uint firstWeight) {
 #undef WEIGHT
 }
 
+void WRITE(uint first, const vec4 p[N]) {
+#if N % 4 == 0
+  if (kPlacing == kFours) {
+    for (int i = 0; i < N; i += 4) writeFour(first + uint(i), p[i], p[i + 1], p[i + 2], p[i + 3]);
+    return;
+  }
+#elif N == 6
+  if (kPlacing == kFours) {
+    writeSix(first, p);
+    return;
+  }
+#endif
+#if N % 2 == 0
+  if (kPlacing == kPairs) {
+    for (int i = 0; i < N; i += 2) writePair(first + uint(i), p[i], p[i + 1]);
+    return;
+  }
+#endif
+  for (int i = 0; i < N; ++i) writePoint(first + uint(i), p[i]);
+}
+
+// Weights are fetched once for all faces where they can be: a fetch costs lavapipe as much as evolving a face.
+#define FETCH_WEIGHTS(first) \
+  for (int i = 0; i < WEIGHT_TEXELS; ++i) w[i] = weightsAt((first) + uint(i))
+
 void FACES(Step step, const uint stages) {
   uint face = gl_LocalInvocationID.x;
   if (face >= step.count) return;
+  vec4 w[WEIGHT_TEXELS];
+  FETCH_WEIGHTS(texelFetch(table, int(step.firstStage)).y);
   do {
     uvec4 record[TEXELS];
     for (int i = 0; i < TEXELS; ++i) record[i] = texelFetch(table, int(step.firstRecord + face * TEXELS) + i);
@@ -39,31 +65,24 @@ void FACES(Step step, const uint stages) {
     if (stages != kWritten) {
       do {
         const uvec4 stage = texelFetch(table, int(step.firstStage + s));
-        EVOLVE(p, stage.y);
+        if (!kSameWeights) FETCH_WEIGHTS(stage.y);
+        EVOLVE(p, w);
         for (int i = 0; i < N; ++i) keepPoint(stage.x + face * N + uint(i), p[i]);
         ++s;
       } while (s < step.kept);
     }
-    if (stages != kKept) {
-      if (stages != kAlso) EVOLVE(p, texelFetch(table, int(step.firstStage + s)).y);
-      const uint first = record[(N + 1) / 2 / 4][(N + 1) / 2 % 4];
-#if N % 2 == 0
-      if (kPlacing == kPairs) {
-        for (int i = 0; i < N; i += 2) writePair(first + uint(i), p[i], p[i + 1]);
-      } else {
-        for (int i = 0; i < N; ++i) writePoint(first + uint(i), p[i]);
-      }
-#else
-      for (int i = 0; i < N; ++i) writePoint(first + uint(i), p[i]);
-#endif
-    }
+    if (stages == kBoth && !kSameWeights) FETCH_WEIGHTS(texelFetch(table, int(step.firstStage + s)).y);
+    if (stages == kBoth || stages == kWritten) EVOLVE(p, w);
+    if (stages != kKept) WRITE(record[(N + 1) / 2 / 4][(N + 1) / 2 % 4], p);
     face += gl_WorkGroupSize.x;
   } while (face < step.count);
 }
 
 #undef TEXELS
+#undef FETCH_WEIGHTS
 #undef WEIGHT_TEXELS
 #undef N
 #undef SHAPE
 #undef EVOLVE
+#undef WRITE
 #undef FACES

@@ -23,7 +23,7 @@ enum class Kernel : std::uint32_t {
 constexpr std::uint32_t kKernelCount = 11;
 
 /// How tiles write a point: see shaders/tile.glsl.
-enum class TilePlacing : std::uint32_t { numbers, whole, pairs };
+enum class TilePlacing : std::uint32_t { numbers, whole, pairs, fours };
 
 /// The specialisation constants of shaders/evaluate.glsl, then those of shaders/tile.glsl, by constant_id.
 struct Specialization {
@@ -43,14 +43,15 @@ struct Specialization {
   std::uint32_t otherCases = 0;   ///< TileImage::cases, the upper half
   std::uint32_t normalPage = 1;   ///< pages of points, behind which are those of normals
   std::uint32_t normalPairs = 0;  ///< two normals are written together
+  std::uint32_t sameWeights = 0;  ///< TileImage::sameWeights
   /// All of them in order, to be compared.
   auto constants() const {
     return std::tie(workgroupSize, length, sourceStride, targetStride, normalStride, sides, pageShift, windowed, form,
-                    scratchPoints, cases, placing, shares, otherCases, normalPage, normalPairs);
+                    scratchPoints, cases, placing, shares, otherCases, normalPage, normalPairs, sameWeights);
   }
   bool operator<(const Specialization& other) const { return constants() < other.constants(); }
 };
-constexpr std::uint32_t kSpecializationCount = 16;
+constexpr std::uint32_t kSpecializationCount = 17;
 static_assert(sizeof(Specialization) == kSpecializationCount * sizeof(std::uint32_t));
 
 /// Up to this many sides the loops of a kernel are unrolled and a circulant's weights are push constants. Unrolling

@@ -187,6 +187,7 @@ Result<void> TableBuilder::addTileStage(const TileImage& image, const Place& roo
   dispatch.push.firstTask = image.firstTile;
   dispatch.specialization.cases = static_cast<std::uint32_t>(image.cases);
   dispatch.specialization.otherCases = static_cast<std::uint32_t>(image.cases >> 32U);
+  dispatch.specialization.sameWeights = image.sameWeights ? 1 : 0;
   setGroups(dispatch);
   const Dispatch whole = dispatch;
   const std::int32_t length = state_.options.refined.length;
@@ -228,6 +229,7 @@ void TableBuilder::setPiece(Dispatch& dispatch, const Dispatch& whole, const Til
   if (constants.length == 4 && (offset | constants.targetStride) % 4 == 0) constants.placing = TilePlacing::whole;
   const bool packed = constants.length == 3 && constants.targetStride == 3;
   if (packed && offset % 2 == 0 && image.pairs) constants.placing = TilePlacing::pairs;
+  if (packed && offset % 4 == 0 && image.fours) constants.placing = TilePlacing::fours;
   if (normals() && normals()->stride == 3 && normals()->offset % 2 == 0 && image.pairs) constants.normalPairs = 1;
 }
 

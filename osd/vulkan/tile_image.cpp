@@ -141,6 +141,7 @@ void TileImageBuilder::addStep(const TileStep& step) {
   const bool written = wanted >= 0 && wanted < stages && table_.stages[at(step.firstStage + wanted)].firstOutput >= 0;
   const TileWord record = step.kind == TileStep::Kind::loose ? addRows(step, written) : addRecords(step, written);
   const TileWord firstStage = addStages(step, stages);
+  image_.sameWeights = image_.sameWeights && step.sameWeights;
   const auto push = [&](TileStages what, std::int32_t kept, TileWord writes) {
     pushStep({caseOf(step, what), static_cast<TileWord>(step.count), record, static_cast<TileWord>(step.width),
               firstStage, static_cast<TileWord>(kept), 0, writes});
@@ -173,6 +174,7 @@ TileWord TileImageBuilder::addRecords(const TileStep& step, bool written) {
     const auto first = written ? static_cast<TileWord>(outputs.of(item, faces ? step.width : 1)) : 0;
     image_.words.push_back(first);
     image_.pairs = image_.pairs && (!faces || step.width % 2 != 0 || first % 2 == 0);
+    image_.fours = image_.fours && image_.pairs && (!faces || step.width % 4 != 0 || first % 4 == 0);
     fillTexel();
   }
   return begin;

@@ -34,6 +34,8 @@ struct TileImage {
   std::uint32_t tileCount = 0;
   std::uint64_t cases = 0;  ///< bit k: there are steps of case k
   bool pairs = true;        ///< each written face of an even number of sides begins at an even point
+  bool fours = true;        ///< and each of a multiple of four sides at such a point
+  bool sameWeights = true;  ///< faces have the same weights at all their stages
 };
 
 /// Packs tiles until an image is full.
