@@ -1,9 +1,12 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_basic : require
 // Tiles whose points are kept in a slice of a buffer, one for each workgroup: written as a storage buffer, read as
 // texels. On lavapipe reads of a storage buffer go lane by lane, those of texels don't; texel fetches may not see what
 // the same dispatch wrote, image loads may.
 #include "evaluate.glsl"
+
+layout(constant_id = 17) const bool kOneSubgroup = false;  // a workgroup is one subgroup
 
 layout(set = 0, binding = 3, std430) coherent writeonly buffer Scratch { vec4 scratch[]; };
 // As far apart as those of four numbers.
@@ -26,9 +29,15 @@ void keepPoint(uint i, vec4 p) {
   }
 }
 
+// For a barrier of workgroups lavapipe keeps all variables, loop counters included, where they outlast a switch to other
+// subgroups, even if there are none.
 void settle() {
-  groupMemoryBarrier();
-  barrier();
+  if (kOneSubgroup) {
+    subgroupBarrier();
+  } else {
+    groupMemoryBarrier();
+    barrier();
+  }
 }
 
 #include "tile.glsl"

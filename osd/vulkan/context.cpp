@@ -35,6 +35,8 @@ struct FeatureChain {
     v12.scalarBlockLayout = present.v12.scalarBlockLayout;
     v13.dynamicRendering = present.v13.dynamicRendering;
     v13.synchronization2 = present.v13.synchronization2;
+    v13.subgroupSizeControl = present.v13.subgroupSizeControl;
+    v13.computeFullSubgroups = present.v13.computeFullSubgroups;
   }
 };
 
@@ -110,6 +112,7 @@ Result<void> VulkanContext::makeDevice(const VulkanContextOptions& options) {
   enabled.enableWhatOf(present);
   dynamicRendering_ = enabled.v13.dynamicRendering == VK_TRUE;
   device_.timelineSemaphore = enabled.v12.timelineSemaphore == VK_TRUE;
+  device_.fullSubgroups = enabled.v13.subgroupSizeControl == VK_TRUE && enabled.v13.computeFullSubgroups == VK_TRUE;
 
   const float priority = 1.0F;
   VkDeviceQueueCreateInfo queue{};

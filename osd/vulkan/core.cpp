@@ -90,8 +90,11 @@ Result<VulkanCore> VulkanCore::create(const VulkanDevice& device, const VulkanEv
   }
   auto functions = VulkanFunctions::load(device);
   if (!functions) return tl::unexpected(functions.error());
+  VkPhysicalDeviceSubgroupProperties subgroups{};
+  subgroups.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
   VkPhysicalDeviceProperties2 properties{};
   properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+  properties.pNext = &subgroups;
   functions->vkGetPhysicalDeviceProperties2(device.physicalDevice, &properties);
   if (const auto sound = checkDevice(properties.properties); !sound) return tl::unexpected(sound.error());
   const auto limits = limitsOf(properties.properties.limits, options);
@@ -101,6 +104,7 @@ Result<VulkanCore> VulkanCore::create(const VulkanDevice& device, const VulkanEv
   core.functions = *functions;
   core.options = options;
   core.limits = *limits;
+  core.subgroupSize = subgroups.subgroupSize;
   core.type = properties.properties.deviceType;
   core.pool = std::make_shared<MemoryPool>();
   const auto tellsBudget = hasExtension(core, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);

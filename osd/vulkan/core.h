@@ -61,6 +61,7 @@ struct VulkanCore {
   VulkanFunctions functions;
   VulkanEvaluatorOptions options;
   VulkanLimits limits;
+  std::uint32_t subgroupSize = 1;  ///< invocations of a full subgroup
   VkPhysicalDeviceType type = VK_PHYSICAL_DEVICE_TYPE_OTHER;
   VkPhysicalDeviceMemoryProperties memory{};
   bool tellsBudget = false;  ///< by VK_EXT_memory_budget

@@ -44,14 +44,16 @@ struct Specialization {
   std::uint32_t normalPage = 1;   ///< pages of points, behind which are those of normals
   std::uint32_t normalPairs = 0;  ///< two normals are written together
   std::uint32_t sameWeights = 0;  ///< TileImage::sameWeights
+  std::uint32_t oneSubgroup = 0;  ///< a workgroup is one full subgroup, which the pipeline is then made to require
   /// All of them in order, to be compared.
   auto constants() const {
     return std::tie(workgroupSize, length, sourceStride, targetStride, normalStride, sides, pageShift, windowed, form,
-                    scratchPoints, cases, placing, shares, otherCases, normalPage, normalPairs, sameWeights);
+                    scratchPoints, cases, placing, shares, otherCases, normalPage, normalPairs, sameWeights,
+                    oneSubgroup);
   }
   bool operator<(const Specialization& other) const { return constants() < other.constants(); }
 };
-constexpr std::uint32_t kSpecializationCount = 17;
+constexpr std::uint32_t kSpecializationCount = 18;
 static_assert(sizeof(Specialization) == kSpecializationCount * sizeof(std::uint32_t));
 
 /// Up to this many sides the loops of a kernel are unrolled and a circulant's weights are push constants. Unrolling

@@ -182,6 +182,9 @@ Result<DeviceHandle<VkPipeline>> VulkanPipelines::make(std::span<const std::uint
   info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
   info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
   info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+  if (specialization.oneSubgroup != 0) {
+    info.stage.flags = VK_PIPELINE_SHADER_STAGE_CREATE_REQUIRE_FULL_SUBGROUPS_BIT;
+  }
   info.stage.module = module->get();
   info.stage.pName = "main";
   info.stage.pSpecializationInfo = &constants;

@@ -64,7 +64,8 @@ class TableBuilder {
                                 TileScratch scratch) const;
   void setTarget(Dispatch& dispatch, const StagePlanner& stage) const;
   Result<void> addTileStage(const TileImage& image, const Place& root, Dispatch dispatch);
-  void setGroups(Dispatch& dispatch);
+  Result<void> addPieces(const Dispatch& whole, const TileImage& image);
+  void setGroups(Dispatch& dispatch, const TileImage& image);
   void setPiece(Dispatch& dispatch, const Dispatch& whole, const TileImage& image, std::int32_t first) const;
   static PointBuffer scratchOf(std::size_t level) {
     return level % 2 == 0 ? PointBuffer::scratchEven : PointBuffer::scratchOdd;

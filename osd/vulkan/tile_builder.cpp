@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <numeric>
+#include <thread>
 
 #include "far/base/index.h"
 #include "osd/piece.h"
@@ -13,13 +14,12 @@ namespace honeycomb::Osd {
 
 namespace {
 
-/// Invocations in a workgroup: on lavapipe as many as a vector has, more make every barrier a switch of coroutines.
-constexpr std::uint32_t kGroupOnCpu = 8;
+/// Invocations in a workgroup of a GPU: two to four subgroups, so that one runs while another waits for memory, and few
+/// enough that small steps keep them busy.
 constexpr std::uint32_t kGroupOnGpu = 128;
 
-/// Workgroups at once, each with a slice of the scratch and tile after tile: enough for the cores of a device, few
-/// enough that slices stay in a cache.
-constexpr std::uint64_t kSlices = 1024;
+/// Workgroups at once on a GPU, each with a slice of the scratch and tile after tile: enough for all its cores.
+constexpr std::uint64_t kSlicesOnGpu = 1024;
 
 std::vector<std::int32_t> chosen(const Far::TileTable& tiles, const VulkanTileOptions& options) {
   if (options.only) return {options.only->begin(), options.only->end()};
@@ -30,6 +30,30 @@ std::vector<std::int32_t> chosen(const Far::TileTable& tiles, const VulkanTileOp
 
 bool onCpu(const VulkanCore& core) {
   return core.type == VK_PHYSICAL_DEVICE_TYPE_CPU;
+}
+
+/// On lavapipe a subgroup is a vector; more of them make every barrier a switch of coroutines.
+std::uint32_t groupSize(const VulkanCore& core) {
+  return std::min(core.limits.groupSize, onCpu(core) ? core.subgroupSize : kGroupOnGpu);
+}
+
+/// How many tiles a workgroup may run. Llvmpipe ends a workgroup's loops without a word when all of them together have
+/// taken 65,535 turns; other devices don't. Three quarters of that: what is counted are the shader's loops, not the
+/// compiler's.
+std::uint64_t tilesEach(const VulkanCore& core, const TileImage& image) {
+  if (!onCpu(core)) return image.tileCount;
+  constexpr std::uint64_t kMostTurns = 65535 / 4 * 3;
+  return std::max<std::uint64_t>(1, kMostTurns / (image.turns + 1));
+}
+
+/// Slices of the scratch. A CPU runs a workgroup a thread: one each, which then stays in the second-level cache of its
+/// core from tile to tile; or as many for each as tilesEach() takes.
+std::uint64_t slices(const VulkanCore& core, const TileImage& image) {
+  if (!onCpu(core)) return kSlicesOnGpu;
+  const std::uint64_t each = tilesEach(core, image);
+  const std::uint64_t threads = std::max(1U, std::thread::hardware_concurrency());
+  const std::uint64_t rounds = (image.tileCount + each * threads - 1) / (each * threads);
+  return std::max<std::uint64_t>(1, rounds) * threads;
 }
 
 /// Shared memory or a buffer? Errors: tooLarge where shared memory is asked for and holds no tile.
@@ -109,7 +133,7 @@ Result<void> TableBuilder::addTiles(const Far::TileTable& tiles, const Place& ro
   const Place target = placeOf(PointBuffer::refined, state_.refinedCount);
   const StagePlanner stage(core_->limits, root.layout, target.layout);
   if (auto sound = checkPages(stage); !sound) return sound;
-  TileImageBuilder builder(tiles, state_.options.lastLevel, normalKind_, core_->limits.texels);
+  TileImageBuilder builder(tiles, state_.options.lastLevel, normalKind_, core_->limits.texels, groupSize(*core_));
   auto images = builder.build(chosen(tiles, options));
   if (!images) return tl::unexpected(images.error());
   const auto dispatch = tileDispatch(tiles, stage, builder.largestTile(), options.scratch);
@@ -135,16 +159,18 @@ Result<Dispatch> TableBuilder::tileDispatch(const Far::TileTable& tiles, const S
                             slice, core_->limits.pageBytes));
   }
   Dispatch dispatch = stage.dispatch(*kernel);
-  dispatch.specialization.workgroupSize = std::min(core_->limits.groupSize, onCpu(*core_) ? kGroupOnCpu : kGroupOnGpu);
+  Specialization& constants = dispatch.specialization;
+  constants.workgroupSize = groupSize(*core_);
   // Rounded up, so that meshes share pipelines.
   constexpr std::uint32_t kRounding = 256;
   dispatch.push.firstOutput = points;
   if (*kernel == Kernel::tileShared) {
-    dispatch.specialization.scratchPoints =
-        std::min((points + kRounding - 1) / kRounding * kRounding,
-                 core_->limits.sharedBytes / static_cast<std::uint32_t>(kTexelBytes));
+    constants.scratchPoints = std::min((points + kRounding - 1) / kRounding * kRounding,
+                                       core_->limits.sharedBytes / static_cast<std::uint32_t>(kTexelBytes));
+  } else if (core_->device.fullSubgroups && constants.workgroupSize == core_->subgroupSize) {
+    constants.oneSubgroup = 1;
   }
-  dispatch.specialization.shares = tiles.shared.empty() ? 0 : 1;
+  constants.shares = tiles.shared.empty() ? 0 : 1;
   dispatch.push.sides = static_cast<std::uint32_t>(stage.target().desc.length);
   setTarget(dispatch, stage);
   rangeOf(dispatch, Slot::indices) = {Role::source, 0, stage.sourceBytes()};
@@ -166,7 +192,6 @@ void TableBuilder::setTarget(Dispatch& dispatch, const StagePlanner& stage) cons
   dispatch.push.normalOffset = static_cast<std::uint32_t>(normals()->offset);
 }
 
-// A point of more than four values is evaluated in pieces, one after the other: all have the same scratch.
 Result<void> TableBuilder::addTileStage(const TileImage& image, const Place& root, Dispatch dispatch) {
   TableStage stage;
   stage.source = root.points;
@@ -188,25 +213,37 @@ Result<void> TableBuilder::addTileStage(const TileImage& image, const Place& roo
   dispatch.specialization.cases = static_cast<std::uint32_t>(image.cases);
   dispatch.specialization.otherCases = static_cast<std::uint32_t>(image.cases >> 32U);
   dispatch.specialization.sameWeights = image.sameWeights ? 1 : 0;
-  setGroups(dispatch);
-  const Dispatch whole = dispatch;
-  const std::int32_t length = state_.options.refined.length;
-  for (std::int32_t done = 0; done < length; done += kPiece) {
-    setPiece(dispatch, whole, image, done);
-    const auto pipeline = pipelines_.get(dispatch.kernel, dispatch.specialization);
-    if (!pipeline) return tl::unexpected(pipeline.error());
-    state_.phases.push_back({{dispatch, *pipeline, static_cast<std::uint32_t>(state_.stages.size())}});
-  }
+  setGroups(dispatch, image);
+  if (const auto added = addPieces(dispatch, image); !added) return added;
   state_.stages.push_back(std::move(stage));
   return {};
 }
 
-void TableBuilder::setGroups(Dispatch& dispatch) {
+// A point of more than four values is evaluated in pieces, and more tiles than workgroups may run in several
+// dispatches, one after the other: all have the same scratch.
+Result<void> TableBuilder::addPieces(const Dispatch& whole, const TileImage& image) {
+  const std::uint64_t most = whole.groups * tilesEach(*core_, image);
+  Dispatch dispatch = whole;
+  for (std::int32_t done = 0; done < state_.options.refined.length; done += kPiece) {
+    setPiece(dispatch, whole, image, done);
+    const auto pipeline = pipelines_.get(dispatch.kernel, dispatch.specialization);
+    if (!pipeline) return tl::unexpected(pipeline.error());
+    for (std::uint64_t first = 0; first < image.tileCount; first += most) {
+      dispatch.push.firstTask = image.firstTile + static_cast<std::uint32_t>(first);
+      dispatch.push.count = static_cast<std::uint32_t>(std::min(most, image.tileCount - first));
+      dispatch.groups = std::min(whole.groups, dispatch.push.count);
+      state_.phases.push_back({{dispatch, *pipeline, static_cast<std::uint32_t>(state_.stages.size())}});
+    }
+  }
+  return {};
+}
+
+void TableBuilder::setGroups(Dispatch& dispatch, const TileImage& image) {
   const VulkanLimits& limits = core_->limits;
   std::uint64_t groups = std::min<std::uint64_t>(dispatch.push.count, limits.groupsInRow);
   if (dispatch.kernel == Kernel::tileBuffer) {
     const std::uint64_t slice = dispatch.push.firstOutput;
-    groups = std::min({groups, kSlices, limits.pageBytes / kTexelBytes / slice, limits.texels / slice});
+    groups = std::min({groups, slices(*core_, image), limits.pageBytes / kTexelBytes / slice, limits.texels / slice});
     need(PointBuffer::tileScratch, groups * slice * kTexelBytes);
     rangeOf(dispatch, Slot::target) = {Role::tileScratch, 0, groups * slice * kTexelBytes};
   }

@@ -67,6 +67,9 @@ void TileImageBuilder::finish() {
   image_.firstTile = texels();
   image_.tileCount = static_cast<std::uint32_t>(tiles_.size() / kTexelWords);
   image_.words.insert(image_.words.end(), tiles_.begin(), tiles_.end());
+  // Each step goes through the branches of all cases, where a loop that has nothing to do turns once.
+  constexpr std::uint64_t kMostLoops = 8;
+  image_.turns += mostSteps_ * (1 + kMostLoops * static_cast<std::uint64_t>(std::popcount(image_.cases)));
   images_.push_back(std::move(image_));
   image_ = {};
   tiles_.clear();
@@ -120,7 +123,10 @@ void TileImageBuilder::closeTile(TileWord firstImport, std::int32_t imports) {
   image_.words.insert(image_.words.end(), steps_.begin(), steps_.end());
   const auto stepCount = static_cast<TileWord>(steps_.size() / (2 * kTexelWords));
   tiles_.insert(tiles_.end(), {firstImport, static_cast<TileWord>(imports), firstStep, stepCount});
+  image_.turns = std::max(image_.turns, turns_ + turnsOver(static_cast<TileWord>(imports)));
+  mostSteps_ = std::max(mostSteps_, stepCount);
   steps_.clear();
+  turns_ = 0;
 }
 
 void TileImageBuilder::addImports(const Far::Tile& tile) {
@@ -144,7 +150,8 @@ void TileImageBuilder::addStep(const TileStep& step) {
   image_.sameWeights = image_.sameWeights && step.sameWeights;
   const auto push = [&](TileStages what, std::int32_t kept, TileWord writes) {
     pushStep({caseOf(step, what), static_cast<TileWord>(step.count), record, static_cast<TileWord>(step.width),
-              firstStage, static_cast<TileWord>(kept), 0, writes});
+              firstStage, static_cast<TileWord>(kept), 0, writes},
+             innerTurns(step, stages));
   };
   if (!written) return push(TileStages::kept, stages, 0);
   if (last_ == level_) return push(wanted > 0 ? TileStages::both : TileStages::written, wanted, 1);
@@ -152,8 +159,22 @@ void TileImageBuilder::addStep(const TileStep& step) {
   if (stages > wanted + 1) push(TileStages::kept, stages, 0);
 }
 
-void TileImageBuilder::pushStep(StepWords words) {
+// Of the loops over what an item reads, for the item that reads most: invocations wait for each other.
+std::uint64_t TileImageBuilder::innerTurns(const TileStep& step, std::int32_t stages) const {
+  const auto width = static_cast<std::uint64_t>(step.width);
+  if (step.kind == TileStep::Kind::dense) return width;
+  if (step.kind == TileStep::Kind::loose) {
+    const std::span rows = std::span(table_.rows).subspan(at(step.firstRow), at(step.count));
+    const auto longest = std::ranges::max_element(rows, {}, &Far::TileRow::entries);
+    return longest == rows.end() ? 0 : static_cast<std::uint64_t>(longest->entries);
+  }
+  const bool unrolled = caseOf(step, TileStages::kept) != static_cast<TileWord>(TileCase::anySides);
+  return static_cast<std::uint64_t>(stages) * (unrolled ? 1 : width * (width + 5));
+}
+
+void TileImageBuilder::pushStep(StepWords words, std::uint64_t innerTurns) {
   image_.cases |= std::uint64_t{1} << words[0];
+  turns_ += turnsOver(words[1]) * (1 + innerTurns);
   steps_.insert(steps_.end(), words.begin(), words.end());
 }
 

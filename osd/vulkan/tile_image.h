@@ -36,20 +36,23 @@ struct TileImage {
   bool pairs = true;        ///< each written face of an even number of sides begins at an even point
   bool fours = true;        ///< and each of a multiple of four sides at such a point
   bool sameWeights = true;  ///< faces have the same weights at all their stages
+  std::uint64_t turns = 0;  ///< the most that one tile's loops take together, inner ones included, where invocations
+                            ///< of a workgroup go through all branches together
 };
 
 /// Packs tiles until an image is full.
 class TileImageBuilder {
  public:
   /// For level `level` behind the tiles' root level, with normals of the table's kind or none; an image has at most
-  /// `mostTexels`.
+  /// `mostTexels`, and workgroups of `invocations` run it.
   TileImageBuilder(const Far::TileTable& table, std::int32_t level, Far::TileNormalKind normals,
-                   std::uint64_t mostTexels)
+                   std::uint64_t mostTexels, std::uint32_t invocations)
       : table_(table),
         level_(level),
         last_(normals == Far::TileNormalKind::exact ? level + 1 : level),
         normals_(normals),
-        mostTexels_(mostTexels) {}
+        mostTexels_(mostTexels),
+        invocations_(invocations) {}
 
   /// All of `tiles`, and fast normals of the points that no tile writes as tiles of their own, in as few images as hold
   /// them. tooLarge where a tile alone passes an image. Linear.
@@ -75,7 +78,9 @@ class TileImageBuilder {
   void addImports(const Far::Tile& tile);
   void closeTile(TileWord firstImport, std::int32_t imports);
   void addStep(const Far::TileStep& step);
-  void pushStep(StepWords words);
+  void pushStep(StepWords words, std::uint64_t innerTurns);
+  std::uint64_t turnsOver(std::uint64_t items) const { return (items + invocations_ - 1) / invocations_; }
+  std::uint64_t innerTurns(const Far::TileStep& step, std::int32_t stages) const;
   TileWord addRecords(const Far::TileStep& step, bool written);
   TileWord addRows(const Far::TileStep& step, bool written);
   TileWord addStages(const Far::TileStep& step, std::int32_t stages);
@@ -104,6 +109,7 @@ class TileImageBuilder {
   std::int32_t last_;  ///< the level wanted, or the one behind it where exact normals read that
   Far::TileNormalKind normals_;
   std::uint64_t mostTexels_;
+  std::uint32_t invocations_;
   std::uint32_t largest_ = 1;
   std::vector<TileImage> images_;
   TileImage image_;
@@ -112,6 +118,8 @@ class TileImageBuilder {
   std::map<std::int32_t, TileWord> tangentWeights_;  ///< and those of normals
   std::vector<TileWord> steps_;                      ///< of the tile
   std::vector<TileWord> numbers_;                    ///< of the tile's points in the image
+  std::uint64_t turns_ = 0;                          ///< of the tile's loops
+  TileWord mostSteps_ = 0;                           ///< of a tile
   TileWord firstNormal_ = 0;                         ///< the tile's own normals stand behind its points
 };
 

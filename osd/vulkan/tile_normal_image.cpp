@@ -47,7 +47,8 @@ void TileImageBuilder::addImportedNormals(std::span<const std::int32_t> normals,
   const TileWord first = texels();
   image_.words.insert(image_.words.end(), normals.begin(), normals.end());
   fillTexel();
-  pushStep({caseAfter(TileCase::importedNormals, 0), static_cast<TileWord>(normals.size()), first, 0, 0, place, 0, 0});
+  pushStep({caseAfter(TileCase::importedNormals, 0), static_cast<TileWord>(normals.size()), first, 0, 0, place, 0, 0},
+           0);
 }
 
 void TileImageBuilder::addFaceNormals(const Far::TileFrames& frames, TileWord place) {
@@ -63,7 +64,8 @@ void TileImageBuilder::addFaceNormals(const Far::TileFrames& frames, TileWord pl
     fillTexel();
   }
   pushStep({caseAfter(TileCase::faceNormals, sides == kHexagon ? 0 : 1), static_cast<TileWord>(frames.count), first,
-            sides, weights, place, 0, 0});
+            sides, weights, place, 0, 0},
+           sides);
 }
 
 void TileImageBuilder::addCornerNormals(const TileStep& step, const Far::TilePoint* faces) {
@@ -80,7 +82,8 @@ void TileImageBuilder::addCornerNormals(const TileStep& step, const Far::TilePoi
   }
   const bool common = width == kHexagon && neighbours == 1;
   pushStep({caseAfter(TileCase::cornerNormals, common ? 0 : 1), static_cast<TileWord>(step.count), first, width, 0,
-            neighbours, 0, 1});
+            neighbours, 0, 1},
+           width * (1 + neighbours));
 }
 
 void TileImageBuilder::addSummedNormals(const TileStep& step, const Far::TilePoint* faces) {
@@ -108,7 +111,9 @@ void TileImageBuilder::addSums(std::span<const NormalSum> sums, std::span<const 
     pushHalves(normals.subspan(at(sum.first), at(sum.count)));
     fillTexel();
   }
-  pushStep({caseAfter(TileCase::summedNormals, 0), static_cast<TileWord>(sums.size()), first, 0, 0, 0, 0, 1});
+  const auto longest = std::ranges::max_element(sums, {}, &NormalSum::count);
+  pushStep({caseAfter(TileCase::summedNormals, 0), static_cast<TileWord>(sums.size()), first, 0, 0, 0, 0, 1},
+           longest == sums.end() ? 0 : static_cast<std::uint64_t>(longest->count));
 }
 
 // Points that are no vertices have the zero vector: that of a point whose weights are zero.
@@ -132,7 +137,8 @@ void TileImageBuilder::addExactNormals(std::int32_t number) {
       fillTexel();
     }
     pushStep({caseAfter(TileCase::vertexNormals, sides == kHexagon ? 0 : 1),
-              static_cast<TileWord>(frames.count * frames.each), first, sides, weights, 0, 0, 1});
+              static_cast<TileWord>(frames.count * frames.each), first, sides, weights, 0, 0, 1},
+             sides);
   }
   if (begin < steps_.size()) steps_[begin + 6] = 1;
 }

@@ -104,6 +104,40 @@ TEST_F(TilesTest, WhosePointsStandInFoursOfFaces) {
   }
 }
 
+TEST_F(TilesTest, OnADeviceWhoseSubgroupsMayBePartlyFilled) {
+  ASSERT_TRUE(context->device().fullSubgroups) << "lavapipe has the features";
+  Osd::VulkanDevice device = context->device();
+  device.fullSubgroups = false;
+  evaluator.emplace(must(Osd::VulkanEvaluator::create(device)));
+  EXPECT_TRUE(agree(aklemanOf(Meshes::grid(9, 8), 3), {}));
+}
+
+TEST_F(TilesTest, WhoseFacesHaveOtherWeightsAtEveryLevel) {
+  std::vector<Far::Scheme> schemes;
+  for (const double corner : {0.6, 0.7, 0.5})
+    schemes.push_back(must(Far::akleman({.tension = {.rule = Far::Tension::Rule::constant, .value = corner}})));
+  const Far::Refinement refinement = Meshes::refinedBy(Meshes::toTopology(Meshes::torus(9, 7)), schemes);
+  for (const std::int32_t level : {2, 3}) EXPECT_TRUE(agree(refinement, {.level = level}));
+}
+
+// A CPU's workgroups run tile after tile, and llvmpipe ends loops that take too many turns together.
+TEST_F(TilesTest, OfSoManyLargeFacesThatAWorkgroupsLoopsTurnOften) {
+  const Meshes::PolyMesh prism = Meshes::prism(60);
+  Meshes::PolyMesh mesh;
+  for (int copy = 0; copy < 240; ++copy) {
+    const std::size_t first = mesh.points.size();
+    mesh.points.insert(mesh.points.end(), prism.points.begin(), prism.points.end());
+    for (auto face : prism.faces) {
+      for (auto& vertex : face) vertex += first;
+      mesh.faces.push_back(std::move(face));
+    }
+  }
+  const Far::Refinement refinement = aklemanOf(mesh, 2);
+  EXPECT_TRUE(agree(refinement, {.scratchPoints = 8192}));
+  evaluator.emplace(makeEvaluator({.maxWorkgroupsInRow = 1}));
+  EXPECT_TRUE(agree(refinement, {.scratchPoints = 8192})) << "several dispatches";
+}
+
 TEST_F(TilesTest, OfASingleFace) {
   EXPECT_TRUE(agree(aklemanOf(Meshes::cube(), 1), {}));
   EXPECT_TRUE(agree(aklemanOf(Meshes::grid(1, 1), 2), {}));
