@@ -85,7 +85,7 @@ Result<VulkanTable> VulkanEvaluator::upload(const Far::StencilTable& table, Far:
 
 std::int32_t VulkanEvaluator::tilePoints(TileScratch scratch) const {
   const bool cpu = core_->type == VK_PHYSICAL_DEVICE_TYPE_CPU;
-  if (scratch == TileScratch::buffer || (scratch == TileScratch::automatic && cpu)) return 24576;
+  if (scratch == TileScratch::buffer || (scratch == TileScratch::automatic && cpu)) return 30720;
   const std::int64_t shared = core_->limits.sharedBytes / static_cast<std::int64_t>(kTexelBytes);
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(shared * 3 / 4, 64, Far::kMostTilePoints));
 }

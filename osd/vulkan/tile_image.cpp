@@ -72,6 +72,7 @@ void TileImageBuilder::finish() {
   image_.turns += mostSteps_ * (1 + kMostLoops * static_cast<std::uint64_t>(std::popcount(image_.cases)));
   images_.push_back(std::move(image_));
   image_ = {};
+  mostSteps_ = 0;
   tiles_.clear();
   weights_.clear();
   tangentWeights_.clear();
