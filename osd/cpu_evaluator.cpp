@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "far/base/index.h"
 #include "far/base/parallel.h"
@@ -25,12 +26,13 @@ constexpr std::int64_t kStreamedBytes = std::int64_t{16} << 20;
 /// A row from the control points has about ten times the entries of a row from the level before.
 constexpr std::int64_t kPointsPerStencil = 10;
 
-/// Runs body on [0, count) in one piece or in parallel pieces of about kPointsPerTask points.
+/// Runs body on [0, count) in one piece or in parallel pieces of about kPointsPerTask points. It is handed on by
+/// reference: a std::function of the body itself would allocate in every frame.
 template <class Body>
 void split(CpuEvaluator::Threads threads, std::int64_t count, std::int64_t pointsPerItem, const Body& body) {
   if (count == 0) return;
   if (threads == CpuEvaluator::Threads::one) return body(std::int64_t{0}, count);
-  Parallel::forRange(0, count, std::max<std::int64_t>(1, kPointsPerTask / pointsPerItem), body);
+  Parallel::forRange(0, count, std::max<std::int64_t>(1, kPointsPerTask / pointsPerItem), std::cref(body));
 }
 
 /// The kernels by name: plain ones and those on vectors.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "far/base/index.h"
 #include "far/base/parallel.h"
@@ -91,7 +92,8 @@ Result<void> TileEvaluator::evaluate(Far::LevelTables levels, const Far::TileTab
       evaluateTile(tiles, tile, level, refined, request.normals, memory.shared, parts);
     }
   };
-  options_.threads == CpuEvaluator::Threads::one ? run(0, count) : Parallel::forRange(0, count, 1, run);
+  // By reference: a std::function of the loop itself would allocate in every frame.
+  options_.threads == CpuEvaluator::Threads::one ? run(0, count) : Parallel::forRange(0, count, 1, std::cref(run));
   return {};
 }
 
