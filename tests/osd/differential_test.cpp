@@ -5,12 +5,13 @@
 #include "far/tables/stencil_table.h"
 #include "osd/cpu_evaluator.h"
 #include "tests/osd/tile_surface.h"
+#include "tests/support/random_mesh.h"
 #include "tests/support/random_refinements.h"
 
 namespace honeycomb::Test {
 namespace {
 
-constexpr std::uint64_t kDifferentialMeshes = 8;
+constexpr std::uint64_t kDifferentialMeshes = meshes(8);
 
 template <class Real>
 class Differential : public testing::Test {};
