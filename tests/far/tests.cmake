@@ -65,6 +65,7 @@ target_compile_definitions(honeycomb_test_support PRIVATE HONEYCOMB_TEST_DATA="$
 # The tests' own refinements and their damaged, random and golden meshes: half of what tests take under sanitizers.
 if(HONEYCOMB_SANITIZE)
   target_compile_options(honeycomb_test_support PRIVATE -O1)
+  set_target_properties(honeycomb_test_support PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 
 honeycomb_test(far_tests
