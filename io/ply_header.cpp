@@ -71,7 +71,8 @@ class PlyHeaderReader {
 
  private:
   tl::unexpected<Error> failLine(std::string_view what) const {
-    return fail(ErrorCode::invalidFile, fmt::format("{}:{}: {}", name_, header_.lines, what), header_.lines);
+    const auto line = std::max<std::int64_t>(header_.lines, 1);  // the first may have no end
+    return fail(ErrorCode::invalidFile, fmt::format("{}:{}: {}", name_, line, what), line);
   }
 
   /// A line without its end, which may be any of the three.

@@ -87,6 +87,19 @@ TEST_F(MeshTest, MissingFileIsNamed) {
   EXPECT_REFUSED((std::vector<std::string>{"refine", path("none.obj"), path("out.obj")}), HasSubstr(path("none.obj")));
 }
 
+TEST_F(MeshTest, ThreeGigabytesOfNothingAreRefusedWithoutReadingThem) {
+  constexpr std::uintmax_t kSize = std::uintmax_t{3} << 30;
+  for (const std::string format : {"obj", "ply", "gltf", "glb", "fbx"}) {
+    const std::string in = file("huge." + format, "");
+    std::filesystem::resize_file(in, kSize);
+    const Outcome outcome = run({"info", in});
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_TRUE(isOneErrorLine(outcome.err)) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(in + ":"));
+    EXPECT_LT(outcome.mostMemory, std::int64_t{1} << 30) << format;
+  }
+}
+
 TEST_F(MeshTest, UnknownFormatIsRefusedWithAList) {
   const std::string in = file("cube.abc", "Ogawa");
   EXPECT_REFUSED((std::vector<std::string>{"refine", in, path("out.obj")}), HasSubstr(in),
