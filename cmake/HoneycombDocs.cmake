@@ -1,4 +1,4 @@
-# The target `docs`: the reference of the public C++ headers, which are those that get installed, as HTML in
+# The target `docs`: the reference of the public headers, which are those that get installed, as HTML in
 # docs/html of the build folder. It fails where a header leaves something undescribed.
 find_package(Doxygen QUIET)
 find_package(Python3 COMPONENTS Interpreter QUIET)
@@ -13,6 +13,9 @@ foreach(library IN ITEMS far osd chain io osd_vulkan interop)
     list(APPEND reference_headers ${headers})
   endif()
 endforeach()
+if(TARGET honeycomb_c)
+  list(APPEND reference_headers ${PROJECT_SOURCE_DIR}/capi/include/honeycomb.h)
+endif()
 set(doxygen_input ${reference_headers})
 list(TRANSFORM doxygen_input REPLACE "(.+)" "\"\\1\"")
 list(JOIN doxygen_input " " doxygen_input)

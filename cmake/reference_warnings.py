@@ -5,6 +5,7 @@ Types, enumerations, functions and constants have comments. What needs none of i
     what is asked by name alone, name() const, of a type with a comment
     constructors that take what the type's comment speaks of
     special members, operators, iterators, and what a class has as the standard containers have it
+    macros, and functions of C that destroy what others made
 """
 import pathlib
 import re
@@ -12,6 +13,7 @@ import sys
 
 NEEDS_NONE = re.compile(r"""
     \(variable\)\ of\ struct
+  | \(macro\ definition\) | hc_\w+_destroy\(
   | \w+\(\)\ const\ \((function|friend)\)
   | =\ ?(default|delete)\ \(function\) | ~\w+\( | Member\ (\w+)\(.*\ of\ (class|struct)\ (\w+::)*\3\ is
   | operator([^\w\s(]+|\ bool)\( | Iterator\b | (value_type|iterator|const_iterator)\ \(typedef\)

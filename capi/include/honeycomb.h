@@ -44,6 +44,7 @@ HC_API uint32_t hc_version(void);
 
 /* ---- Errors ---- */
 
+/* What came of a call. */
 typedef int32_t hc_status;
 enum {
   HC_OK = 0,
@@ -68,6 +69,7 @@ HC_API const char* hc_status_name(hc_status status);
  * 1023 bytes; "" before the first. Options are called as on the command line, --NAME. Valid until the thread's next
  * failure or end. Any thread: each has its own. */
 HC_API const char* hc_last_message(void);
+/* What a number is of. */
 typedef int32_t hc_element;
 enum { HC_ELEMENT_NONE = 0, HC_ELEMENT_VERTEX = 1, HC_ELEMENT_FACE = 2, HC_ELEMENT_OTHER = 3 };
 
@@ -87,8 +89,10 @@ typedef struct hc_allocator {
   void (*release)(void* user, void* block);                     /* of a block that allocate() gave */
 } hc_allocator;
 
+/* What a message is. */
 typedef int32_t hc_severity;
 enum { HC_LOG_NOTE = 0, HC_LOG_ERROR = 1 };
+/* Where memory comes from and messages go. */
 typedef struct hc_context_options {
   size_t struct_size;
   hc_allocator allocator; /* both functions or neither: malloc() and free() */
@@ -98,6 +102,7 @@ typedef struct hc_context_options {
   void (*log)(void* log_user, hc_severity severity, const char* message);
   void* log_user;
 } hc_context_options;
+/* What objects share. Never changes. */
 typedef struct hc_context hc_context;
 /* Where a context is taken NULL may be given: malloc(), and no log. Any thread. */
 HC_API hc_status hc_context_create(const hc_context_options* options, hc_context** context);
@@ -126,6 +131,7 @@ typedef struct hc_polygons {
   int64_t corner_count;
 } hc_polygons;
 
+/* Polygons and positions that a file has. Never changes. */
 typedef struct hc_mesh hc_mesh;
 /* Reads a mesh: OBJ with creases, PLY, and where the library has Assimp the first pose of glTF, FBX, COLLADA ..; `path`
  * is UTF-8. Errors: UNREADABLE, INVALID_FILE, INVALID_POSITIONS, TOO_LARGE, INVALID_ARGUMENT for a format there isn't.
@@ -153,12 +159,14 @@ enum {
   HC_NORMALS_FAST = 1, /* of a few limit normals of faces round the vertex: for playback */
   HC_NORMALS_EXACT = 2 /* of the limit surface: slower */
 };
+/* How the faces of level 0 are numbered. */
 typedef int32_t hc_order;
 enum {
   HC_ORDER_INPUT = 0,
   HC_ORDER_SPATIAL = 1 /* faces that are near each other have near numbers: faster where the caller's order is random */
 };
 
+/* The surface that is wanted, and what is to be known of it. */
 typedef struct hc_tables_options {
   size_t struct_size;
   const char* scheme;       /* "akleman", "half-box", .., or a chain "catmull-clark:1,akleman:3"; NULL: akleman */
@@ -183,6 +191,7 @@ HC_API hc_status hc_tables_create(hc_context* context, const hc_polygons* polygo
                                   hc_tables** tables);
 HC_API void hc_tables_destroy(hc_tables* tables);
 
+/* How far a table file is trusted. */
 typedef struct hc_open_options {
   size_t struct_size;
   int32_t trusted; /* not 0: indices are not proven; a broken file then does anything */
@@ -195,6 +204,7 @@ HC_API hc_status hc_tables_open(hc_context* context, const char* path, const hc_
  * tables of a file. Any thread. */
 HC_API hc_status hc_tables_save(const hc_tables* tables, const char* path);
 
+/* What tables hold. */
 typedef struct hc_tables_info {
   size_t struct_size;
   int32_t level_count;    /* the last level; more than asked for where half-box converts a mesh in a step of its own */
@@ -207,6 +217,7 @@ typedef struct hc_tables_info {
 /* info->struct_size is set by the caller. Any thread. */
 HC_API hc_status hc_tables_get_info(const hc_tables* tables, hc_tables_info* info);
 
+/* How large a level is. */
 typedef struct hc_level_counts {
   size_t struct_size;
   int64_t points; /* that evaluation reads (level 0) or writes: vertices, and behind them central control vertices */
@@ -237,8 +248,9 @@ typedef struct hc_origin {
   int32_t level;   /* -1: of tables of a file */
   hc_element kind; /* HC_ELEMENT_FACE or HC_ELEMENT_VERTEX */
 } hc_origin;
-/* Of each face (vertex) of a level; capacity: at least `faces` (`vertices`) of them. Any thread. */
+/* Of each face of a level; capacity: at least `faces` of them. Any thread. */
 HC_API hc_status hc_tables_face_origins(const hc_tables* tables, int32_t level, hc_origin* origins, int64_t capacity);
+/* Of each vertex of a level; capacity: at least `vertices` of them. Any thread. */
 HC_API hc_status hc_tables_vertex_origins(const hc_tables* tables, int32_t level, hc_origin* origins, int64_t capacity);
 
 /* ---- Evaluation on the CPU ---- */
@@ -254,6 +266,7 @@ typedef struct hc_points {
   size_t size;
   int32_t offset, length, stride;
 } hc_points;
+/* The same where values are written. */
 typedef struct hc_points_out {
   float* data;
   size_t size;
@@ -271,6 +284,7 @@ enum {
   HC_BACKEND_TBB_TILED = 5   /* tiles on all threads; needs tables with tiles */
 };
 
+/* What evaluates, and whether it looks at its input. */
 typedef struct hc_evaluator_options {
   size_t struct_size;
   hc_backend backend;
@@ -311,10 +325,11 @@ struct VkQueue_T;
 struct VkCommandBuffer_T;
 struct VkAllocationCallbacks;
 #if defined(__LP64__) || defined(_WIN64) || (defined(__x86_64__) && !defined(__ILP32__)) || defined(__aarch64__)
-typedef struct VkBuffer_T* hc_vk_buffer;
+typedef struct VkBuffer_T* hc_vk_buffer; /* a VkBuffer */
 #else
-typedef uint64_t hc_vk_buffer;
+typedef uint64_t hc_vk_buffer; /* a VkBuffer */
 #endif
+/* A PFN_vkVoidFunction. */
 typedef void (*hc_vk_function)(void);
 /* A device of the caller's, of Vulkan 1.2 or later, without any feature switched on. All of it outlives what is made
  * from it. */
@@ -338,6 +353,7 @@ typedef struct hc_vulkan_device {
   void* queue_owner;
 } hc_vulkan_device;
 
+/* An evaluator on a device. */
 typedef struct hc_vulkan hc_vulkan;
 /* Errors: NO_DEVICE, UNSUPPORTED (also of a library without Vulkan), INVALID_ARGUMENT, OUT_OF_MEMORY. Any thread. */
 HC_API hc_status hc_vulkan_create(hc_context* context, const hc_vulkan_device* device, hc_vulkan** vulkan);
@@ -348,6 +364,7 @@ typedef struct hc_layout {
   int32_t offset, length, stride;
 } hc_layout;
 
+/* What a table on the device evaluates, and where its buffers have their values. */
 typedef struct hc_vulkan_table_options {
   size_t struct_size;
   int32_t level; /* 0: the last */
@@ -366,6 +383,7 @@ HC_API hc_status hc_vulkan_table_create(hc_vulkan* vulkan, const hc_tables* tabl
                                         const hc_vulkan_table_options* options, hc_vulkan_table** table);
 HC_API void hc_vulkan_table_destroy(hc_vulkan_table* table);
 
+/* How much memory a table takes and wants. */
 typedef struct hc_vulkan_sizes {
   size_t struct_size;
   uint64_t control, refined, normals; /* bytes that the caller's buffers need; 0: not touched */
@@ -379,6 +397,7 @@ typedef struct hc_vulkan_range {
   hc_vk_buffer buffer;
   uint64_t offset, size; /* bytes */
 } hc_vulkan_range;
+/* The buffers of a frame. */
 typedef struct hc_vulkan_targets {
   size_t struct_size;
   hc_vulkan_range control, refined, normals; /* apart from each other; those of size 0 in hc_vulkan_sizes: zeros */

@@ -1,0 +1,5 @@
+# honeycomb.h for doxygen: its comments in doxygen's notation. Headings aren't anybody's.
+1s|^/\* |/** @file\n|
+/^\/\* ---- .* ---- \*\/$/d
+s|^\( *\)/\* |\1/** |
+s|\([;,{0-9A-Z]\) */\* |\1 /**< |
