@@ -116,7 +116,7 @@ TEST(RandomMeshes, AreManifoldAndVaried) {
   std::set<std::int64_t> characteristics;
   std::size_t valenceTwo = 0;
   std::size_t tags = 0;
-  for (std::uint64_t seed = 0; seed < meshes(200); ++seed) {
+  for (std::uint64_t seed = 0; seed < meshes(400); ++seed) {
     const RandomMesh random = randomMesh(seed);
     std::string why;
     ASSERT_TRUE(isManifold(random.mesh.faces, &why)) << "seed " << seed << ": " << why;
