@@ -14,9 +14,11 @@ struct MeshOutput {
   Result<void> (*writeSingle)(const std::filesystem::path&, const ObjContent<float>&);
   Result<void> (*writeDouble)(const std::filesystem::path&, const ObjContent<double>&);
 
+  /// Writes the file, whole or not at all. Errors: unwritable, and those of the format.
   Result<void> write(const std::filesystem::path& path, const ObjContent<float>& content) const {
     return writeSingle(path, content);
   }
+  /// The same in double precision, or the closest the format has.
   Result<void> write(const std::filesystem::path& path, const ObjContent<double>& content) const {
     return writeDouble(path, content);
   }
