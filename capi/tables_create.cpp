@@ -76,13 +76,10 @@ Result<void> addNormals(hc_tables& tables, const hc_tables_options& options) {
     tables.fastNormals = std::move(*normals);
   }
   if (options.tiles == 0) return {};
-  Far::TileOptions tile;
-  tile.scratchPoints = Osd::tilePoints();
-  tile.places = Far::TilePlaces::fours;
-  tile.normals = options.normals == HC_NORMALS_FAST    ? Far::TileNormalKind::fast
-                 : options.normals == HC_NORMALS_EXACT ? Far::TileNormalKind::exact
-                                                       : Far::TileNormalKind::none;
-  Result<Far::TileTable> tiles = Far::buildTileTable(*tables.refinement, tile);
+  const auto normals = options.normals == HC_NORMALS_FAST    ? Far::TileNormalKind::fast
+                       : options.normals == HC_NORMALS_EXACT ? Far::TileNormalKind::exact
+                                                             : Far::TileNormalKind::none;
+  Result<Far::TileTable> tiles = Far::buildTileTable(*tables.refinement, Osd::cpuTileOptions(normals));
   if (!tiles) {
     tiles.error().message += " (or set tiles to 0)";
     return tl::unexpected(tiles.error());

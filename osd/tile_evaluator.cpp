@@ -82,18 +82,18 @@ Result<void> TileEvaluator::evaluate(Far::LevelTables levels, const Far::TileTab
     return done;
   }
   const std::int64_t count = request.only ? std::ssize(*request.only) : std::ssize(tiles.tiles);
-  const auto run = [&](std::int64_t begin, std::int64_t end) {
-    const auto scratch = memory.scratch.borrow();
-    const std::size_t size = Scratch<Real>::size(tiles, !request.normals.data.empty());
-    if (scratch->size() < size) scratch->resize(size);
-    const Scratch<Real> parts(*scratch, tiles);
-    for (std::int64_t t = begin; t < end; ++t) {
-      const auto tile = request.only ? (*request.only)[at(t)] : static_cast<std::int32_t>(t);
-      evaluateTile(tiles, tile, level, refined, request.normals, memory.shared, parts);
-    }
+  const bool alone = options_.threads == CpuEvaluator::Threads::one;
+  memory.reserve(alone ? 1 : Parallel::threadCount(), Scratch<Real>::size(tiles, !request.normals.data.empty()));
+  const auto run = [&](int worker, std::int64_t t) {
+    const auto tile = request.only ? (*request.only)[at(t)] : static_cast<std::int32_t>(t);
+    evaluateTile(tiles, tile, level, refined, request.normals, memory.shared, {memory.scratch[at(worker)], tiles});
   };
-  // By reference: a std::function of the loop itself would allocate in every frame.
-  options_.threads == CpuEvaluator::Threads::one ? run(0, count) : Parallel::forRange(0, count, 1, std::cref(run));
+  if (alone) {
+    for (std::int64_t t = 0; t < count; ++t) run(0, t);
+  } else {
+    // By reference: a std::function of the loop itself would allocate in every frame.
+    Parallel::forItems(count, std::cref(run));
+  }
   return {};
 }
 

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "far/base/pool.h"
 #include "far/base/result.h"
 #include "far/tables/level_tables.h"
 #include "far/tables/tile_table.h"
@@ -37,8 +36,8 @@ struct TileRequest {
 };
 
 /// Evaluates refinements tile by tile: the bits of the evaluators that go level after level, several times as fast.
-/// Tiles are handed to the threads of the caller's oneTBB arena as they come free. One evaluator belongs to one thread
-/// at a time; tables are only read and may be shared.
+/// Threads of the caller's oneTBB arena take tiles as they come free, each those that it had the frame before if it
+/// can. One evaluator belongs to one thread at a time; tables are only read and may be shared.
 class TileEvaluator {
  public:
   explicit TileEvaluator(const TileEvaluatorOptions& options = {})
@@ -57,7 +56,14 @@ class TileEvaluator {
   template <class Real>
   struct Memory {
     TileShared<Real> shared;
-    Pool<std::vector<Real>> scratch;
+    std::vector<std::vector<Real>> scratch;  ///< a worker's own: it stays in its core's caches
+
+    void reserve(int workers, std::size_t numbers) {
+      if (scratch.size() < static_cast<std::size_t>(workers)) scratch.resize(static_cast<std::size_t>(workers));
+      for (auto& own : scratch) {
+        if (own.size() < numbers) own.resize(numbers);
+      }
+    }
   };
   template <class Real>
   struct Scratch;

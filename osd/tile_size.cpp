@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "far/base/parallel.h"
+
 namespace honeycomb::Osd {
 
 std::int32_t tilePoints() {
@@ -15,6 +17,14 @@ std::int32_t tilePoints() {
 #endif
   if (cache <= 0) cache = kUnknown;
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(cache / 2 / kPointBytes, 4096, 32768));
+}
+
+Far::TileOptions cpuTileOptions(Far::TileNormalKind normals) {
+  constexpr std::int32_t kTilesAThread = 8;
+  return {.scratchPoints = tilePoints(),
+          .fewestTiles = kTilesAThread * Parallel::threadCount(),
+          .normals = normals,
+          .places = Far::TilePlaces::fours};
 }
 
 }  // namespace honeycomb::Osd

@@ -2,10 +2,16 @@
 
 #include <cstdint>
 
+#include "far/tables/tile_table.h"
+
 namespace honeycomb::Osd {
 
 /// The points a tile may keep on this machine (TileOptions::scratchPoints): half of a second-level cache in single
 /// precision, 4096 .. 32768; 8192 where the cache's size isn't known. Points come out the same whatever it is.
 std::int32_t tilePoints();
+
+/// How tiles for TileEvaluator are cut on this machine: tilePoints(), eight a thread or more, points in the order that
+/// vectors write fastest.
+Far::TileOptions cpuTileOptions(Far::TileNormalKind normals = Far::TileNormalKind::none);
 
 }  // namespace honeycomb::Osd

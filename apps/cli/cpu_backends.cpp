@@ -144,8 +144,7 @@ class CpuBackend : public Backend {
     if (instructions_ != Instructions::vectors) return nullptr;
     if (tables.tiles != nullptr) return std::shared_ptr<const Far::TileTable>(std::shared_ptr<void>(), tables.tiles);
     if (tables.refinement == nullptr || !tilesPay(tables.levels, frames, atOnce)) return nullptr;
-    Result<Far::TileTable> built =
-        Far::buildTileTable(*tables.refinement, {.scratchPoints = Osd::tilePoints(), .places = Far::TilePlaces::fours});
+    Result<Far::TileTable> built = Far::buildTileTable(*tables.refinement, Osd::cpuTileOptions());
     if (!built) return tl::unexpected(built.error());
     return std::make_shared<const Far::TileTable>(std::move(*built));
   }

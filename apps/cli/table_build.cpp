@@ -71,9 +71,7 @@ Result<BuiltTable> buildTable(const TableBuildCommand& command, const Session& s
   BuiltTable built{std::move(*refinement), {}, std::move(info)};
   if (command.tiles) {
     Result<Far::TileTable> tiles = Far::buildTileTable(
-        built.refinement, {.scratchPoints = Osd::tilePoints(),
-                           .normals = command.limits ? Far::TileNormalKind::exact : Far::TileNormalKind::none,
-                           .places = Far::TilePlaces::fours});
+        built.refinement, Osd::cpuTileOptions(command.limits ? Far::TileNormalKind::exact : Far::TileNormalKind::none));
     if (!tiles) return tl::unexpected(inFile(command.input, tiles.error()));
     built.tiles = std::move(*tiles);
   }

@@ -101,8 +101,7 @@ Result<Contestant> tiledContestant(const Far::Refinement& refinement) {
     Osd::TileEvaluator evaluator;
   };
   const Stopwatch watch;
-  Result<Far::TileTable> tiles =
-      Far::buildTileTable(refinement, {.scratchPoints = Osd::tilePoints(), .places = Far::TilePlaces::fours});
+  Result<Far::TileTable> tiles = Far::buildTileTable(refinement, Osd::cpuTileOptions());
   if (!tiles) return tl::unexpected(tiles.error());
   const double preparation = watch.milliseconds();
   auto state = std::make_shared<State>();

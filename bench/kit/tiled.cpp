@@ -15,11 +15,8 @@ namespace {
 
 Result<Prepared> prepareTiles(const Problem& problem, Osd::CpuEvaluator::Threads threads) {
   const Stopwatch stopwatch;
-  Far::TileOptions options;
-  options.scratchPoints = Osd::tilePoints();
-  options.normals = tileNormals(problem.normals);
-  options.places = Far::TilePlaces::fours;
-  Result<Far::TileTable> built = Far::buildTileTable(problem.refinement, options);
+  Result<Far::TileTable> built =
+      Far::buildTileTable(problem.refinement, Osd::cpuTileOptions(tileNormals(problem.normals)));
   if (!built) return tl::unexpected(built.error());
   Prepared prepared;
   prepared.buildMs = problem.tablesMs + stopwatch.milliseconds();

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <thread>
 
+#include "far/base/shares.h"
+
 #ifdef HONEYCOMB_THREADS_TBB
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
@@ -23,8 +25,12 @@ std::int64_t pieceCount(std::int64_t items) {
   return std::clamp<std::int64_t>(items / (4 * kGrain), 1, 64);
 }
 
-std::int64_t pieceBegin(std::int64_t items, std::int64_t pieces, std::int64_t piece) {
-  return items * piece / pieces;
+int workersFor(std::int64_t items) {
+  return static_cast<int>(std::min<std::int64_t>({items, threadCount(), kMostWorkers}));
+}
+
+void workAlone(std::int64_t count, const std::function<void(int, std::int64_t)>& body) {
+  for (std::int64_t i = 0; i < count; ++i) body(0, i);
 }
 
 }  // namespace
@@ -52,6 +58,15 @@ void forRange(std::int64_t begin, std::int64_t end, std::int64_t grain,
   tbb::parallel_for(
       tbb::blocked_range<std::int64_t>(begin, end, static_cast<std::size_t>(std::max<std::int64_t>(1, grain))),
       [&body](const tbb::blocked_range<std::int64_t>& range) { body(range.begin(), range.end()); });
+}
+
+void forItems(std::int64_t count, const std::function<void(int, std::int64_t)>& body) {
+  const int workers = workersFor(count);
+  if (workers <= 1) return workAlone(count, body);
+  Shares<kMostWorkers> shares(count, workers);
+  tbb::parallel_for(
+      0, workers, [&](int) { shares.work(tbb::this_task_arena::current_thread_index(), body); },
+      tbb::simple_partitioner());
 }
 
 void isolated(const std::function<void()>& body) {
@@ -103,6 +118,13 @@ void forRange(std::int64_t begin, std::int64_t end, std::int64_t grain,
   for (std::thread& thread : threads) thread.join();
 }
 
+void forItems(std::int64_t count, const std::function<void(int, std::int64_t)>& body) {
+  const int workers = workersFor(count);
+  if (workers <= 1) return workAlone(count, body);
+  Shares<kMostWorkers> shares(count, workers);
+  forRange(0, workers, 1, [&](std::int64_t first, std::int64_t) { shares.work(static_cast<int>(first), body); });
+}
+
 #else
 
 int threadCount() {
@@ -112,6 +134,10 @@ int threadCount() {
 void forRange(std::int64_t begin, std::int64_t end, std::int64_t,
               const std::function<void(std::int64_t, std::int64_t)>& body) {
   if (begin < end) body(begin, end);
+}
+
+void forItems(std::int64_t count, const std::function<void(int, std::int64_t)>& body) {
+  workAlone(count, body);
 }
 
 #endif

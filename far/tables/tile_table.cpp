@@ -19,6 +19,8 @@ namespace {
 constexpr std::int64_t kTilesPerPart = 8;
 /// Points of the level behind the root that a tile should have, at least: smaller tiles have more rim than body.
 constexpr std::int64_t kFewestPoints = 192;
+/// Points that a tile keeps where it is cut smaller for the sake of threads: less takes less time than to hand it out.
+constexpr std::int64_t kSmallTile = 4096;
 /// What a tile holds beside the points that descend from its own, in hundredths.
 constexpr std::int64_t kHalo = 130;
 
@@ -27,13 +29,29 @@ std::int32_t pointsOf(const Refinement& refinement, std::int32_t k) {
   return k == 0 ? refinement.level(1).table.sourceCount : tableOf(refinement, k).targetCount;
 }
 
+/// The points that tiles keep together, their halos left aside: those of the levels from the root to before `end`.
+std::int64_t keptPoints(const Refinement& refinement, std::int32_t root, std::int32_t end) {
+  std::int64_t points = 0;
+  for (std::int32_t k = root; k < end; ++k) points += pointsOf(refinement, k);
+  return std::max<std::int64_t>(1, points);
+}
+
 /// How many points of the level behind the root a tile may have for all its points to fit, those of levels before
 /// `end`.
 std::int64_t pointsPerTile(const Refinement& refinement, std::int32_t root, std::int32_t end, std::int64_t scratch) {
-  std::int64_t points = pointsOf(refinement, root);
-  for (std::int32_t k = root + 1; k < end; ++k) points += pointsOf(refinement, k);
   const std::int64_t first = pointsOf(refinement, root + 1);
-  return std::max<std::int64_t>(1, scratch * 100 / kHalo * first / std::max<std::int64_t>(1, points));
+  return std::max<std::int64_t>(1, scratch * 100 / kHalo * first / keptPoints(refinement, root, end));
+}
+
+/// As many for all tiles, so that none is left over, and for as many tiles as are wanted.
+std::int64_t evenPointsPerTile(const Refinement& refinement, std::int32_t root, std::int32_t end, std::int64_t scratch,
+                               std::int32_t fewestTiles) {
+  const std::int64_t first = pointsOf(refinement, root + 1);
+  const std::int64_t most = pointsPerTile(refinement, root, end, scratch);
+  const std::int64_t sound =
+      std::min({std::int64_t{fewestTiles}, keptPoints(refinement, root, end) / kSmallTile, first / kFewestPoints});
+  const std::int64_t tiles = std::max<std::int64_t>({1, (first + most - 1) / most, sound});
+  return (first + tiles - 1) / tiles;
 }
 
 /// The root level from which tiles of a sound size reach the last level, keeping points of levels before `end`.
@@ -99,6 +117,10 @@ Result<void> checkOptions(const Refinement& refinement, std::int32_t last, const
     return fail(ErrorCode::invalidOption,
                 fmt::format("level {} is out of range; use 1 to {}", last, refinement.levelCount()));
   }
+  if (options.fewestTiles < 1) {
+    return fail(ErrorCode::invalidOption,
+                fmt::format("fewestTiles {} is out of range; use 1 or more", options.fewestTiles));
+  }
   if (options.scratchPoints < 64 || options.scratchPoints > kMostTilePoints) {
     return fail(ErrorCode::invalidOption,
                 fmt::format("scratchPoints {} is out of range; use 64 to {}", options.scratchPoints, kMostTilePoints));
@@ -128,7 +150,7 @@ Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions
     table.lastLevel = last;
     table.normalKind = options.normals;
     table.rootLevel = chooseRoot(refinement, last, end, std::max<std::int64_t>(scratch, 1));
-    const std::int64_t size = pointsPerTile(refinement, table.rootLevel, end, scratch);
+    const std::int64_t size = evenPointsPerTile(refinement, table.rootLevel, end, scratch, options.fewestTiles);
     TilePlan plan(refinement, table.rootLevel, last,
                   static_cast<std::int32_t>(std::min<std::int64_t>(size, kMostTilePoints)), options);
     std::vector<TileParts> parts = assemble(plan);

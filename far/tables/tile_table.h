@@ -54,6 +54,8 @@ struct TileOptions {
   std::int32_t level = 0;             ///< the last level to evaluate; 0: the refinement's last
   std::int32_t scratchPoints = 8192;  ///< points a tile keeps at once, about, 16 bytes each in single precision: what
                                       ///< half a second-level cache holds; 64 .. 32768
+  std::int32_t fewestTiles = 1;       ///< at least so many, where each still keeps 4096 points: several a thread, so
+                                      ///< that all are busy to the end (Osd::tilesForThreads); from 1
   TileOrder order = TileOrder::levels;
   TileNormalKind normals = TileNormalKind::none;
   TilePlaces places = TilePlaces::faces;

@@ -77,5 +77,6 @@ honeycomb_test(far_tests
 # Meshes large enough for every parallel loop to be cut: what the thread sanitizer has to see of far.
 honeycomb_test(far_thread_tests
   LABELS threads
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/determinism_test.cpp ${CMAKE_CURRENT_LIST_DIR}/patch_threads_test.cpp
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/determinism_test.cpp ${CMAKE_CURRENT_LIST_DIR}/parallel_test.cpp
+          ${CMAKE_CURRENT_LIST_DIR}/patch_threads_test.cpp
   LIBRARIES honeycomb::test_support honeycomb::far honeycomb::osd)

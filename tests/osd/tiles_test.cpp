@@ -289,11 +289,29 @@ TEST(TileTable, HoldsFewPointsTwice) {
   EXPECT_LT(static_cast<double>(tiles.byteCount()) / refinement.last().pointCount(), 3.5);
 }
 
+TEST(TileTable, HasTilesForAllThreadsOfOneSize) {
+  const Far::Refinement refinement = refined(torus(60, 50), schemeCase(NamedTension::paper).scheme, 4);
+  const auto sizes = [&](const Far::TileOptions& options) {
+    std::vector<std::int32_t> own;
+    for (const Far::Tile& tile : must(Far::buildTileTable(refinement, options)).tiles) {
+      own.push_back(tile.pointCount - tile.importCount);
+    }
+    return own;
+  };
+  EXPECT_EQ(sizes({.scratchPoints = 32768}).size(), 7U);
+  const std::vector<std::int32_t> own = sizes({.scratchPoints = 32768, .fewestTiles = 12});
+  EXPECT_EQ(own.size(), 12U);
+  EXPECT_LT(std::ranges::max(own), 1.2 * std::ranges::min(own)) << "no tile is left over";
+  // 159,000 points are kept: a hundred tiles would be too small.
+  EXPECT_EQ(sizes({.scratchPoints = 32768, .fewestTiles = 100}).size(), 38U);
+}
+
 TEST(TileTable, RefusesLevelsAndSizesOutOfRange) {
   const Far::Refinement refinement = refined(cube(), schemeCase(NamedTension::paper).scheme, 2);
   EXPECT_EQ(Far::buildTileTable(refinement, {.level = 3}).error().message, "level 3 is out of range; use 1 to 2");
   EXPECT_FALSE(Far::buildTileTable(refinement, {.scratchPoints = 63}).has_value());
   EXPECT_FALSE(Far::buildTileTable(refinement, {.scratchPoints = 32769}).has_value());
+  EXPECT_FALSE(Far::buildTileTable(refinement, {.fewestTiles = 0}).has_value());
   EXPECT_FALSE(Far::buildTileTable(refined(cube(), schemeCase(NamedTension::paper).scheme, 0)).has_value());
 }
 
