@@ -44,13 +44,27 @@ double differenceOf(std::span<const float> expected, std::span<const float> foun
   return std::max(distance / std::max(largest, 1e-30), 1e-30);
 }
 
+/// The points of a level in the level's order.
+std::vector<float> inLevelOrder(std::span<const float> found, std::span<const std::int32_t> order) {
+  std::vector<float> sorted(found.begin(), found.end());
+  if (order.empty()) return sorted;
+  const auto stride = static_cast<std::ptrdiff_t>(found.size() / order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    std::copy_n(found.begin() + static_cast<std::ptrdiff_t>(i) * stride, stride, sorted.begin() + order[i] * stride);
+  }
+  return sorted;
+}
+
 /// Evaluates a frame over memory that holds no results yet, and compares.
 Result<double> check(const EvaluatorEntry& entry, const Prepared& prepared, const Problem& problem,
                      const Expected& expected) {
   std::fill(problem.refined.begin(), problem.refined.end(), NAN);
   if (auto done = prepared.frame(); !done) return tl::unexpected(done.error());
-  double difference = differenceOf(prepared.expected.empty() ? expected.points : prepared.expected, prepared.refined);
-  if (!expected.normals.empty()) difference = std::max(difference, differenceOf(expected.normals, prepared.normals));
+  double difference = differenceOf(prepared.expected.empty() ? expected.points : prepared.expected,
+                                   inLevelOrder(prepared.refined, prepared.order));
+  if (!expected.normals.empty()) {
+    difference = std::max(difference, differenceOf(expected.normals, inLevelOrder(prepared.normals, prepared.order)));
+  }
   const double allowed = entry.agreement == Agreement::bits ? 0 : kMostDifference;
   if (difference <= allowed) return difference;
   return fail(ErrorCode::invalidOption,
@@ -78,6 +92,7 @@ Result<std::vector<Contestant>> prepareAll(const Comparison& comparison, const P
     const Result<double> difference = check(*entry, *prepared, problem, *expected);
     if (!difference) return tl::unexpected(difference.error());
     prepared->expected = {};
+    prepared->order = {};
     Run run;
     run.evaluator = entry->name;
     run.threads = entry->threads;

@@ -57,6 +57,7 @@ std::span<const EvaluatorEntry> evaluators() {
       EvaluatorEntry{"tbb", Agreement::bits, Threads::all, prepareLevels<Osd::TbbEvaluator>},
       EvaluatorEntry{"simd-tiled", Agreement::bits, Threads::one, prepareSimdTiled},
       EvaluatorEntry{"tbb-tiled", Agreement::bits, Threads::all, prepareTbbTiled},
+      EvaluatorEntry{"tbb-tile-order", Agreement::bits, Threads::all, prepareTbbTileOrder},
       EvaluatorEntry{"csr", Agreement::rounding, Threads::all, prepareCsr},
 #ifdef HONEYCOMB_BENCH_VULKAN
       EvaluatorEntry{"vulkan", Agreement::bits, Threads::device, prepareVulkan},

@@ -77,13 +77,14 @@ struct HostUs {
 
 /// An evaluator with its tables built.
 struct Prepared {
-  std::function<Result<void>()> frame;  ///< evaluates the points of a frame
-  std::span<const float> refined = {};  ///< where frame() leaves them, in the problem's layout
-  std::span<const float> normals = {};  ///< and the normals
-  double buildMs = 0;                   ///< from the control mesh to the first frame, topology included
-  std::int64_t tableBytes = 0;          ///< read in a frame, beside the points
-  std::int64_t vertices = 0;            ///< that a frame makes
-  std::vector<float> expected = {};     ///< what is to come out, where that is another surface than the problem's
+  std::function<Result<void>()> frame;   ///< evaluates the points of a frame
+  std::span<const float> refined = {};   ///< where frame() leaves them, in the problem's layout
+  std::span<const float> normals = {};   ///< and the normals
+  double buildMs = 0;                    ///< from the control mesh to the first frame, topology included
+  std::int64_t tableBytes = 0;           ///< read in a frame, beside the points
+  std::int64_t vertices = 0;             ///< that a frame makes
+  std::vector<std::int32_t> order = {};  ///< order[i] is the level's number of the point that comes out i-th; empty: i
+  std::vector<float> expected = {};      ///< what is to come out, where that is another surface than the problem's
   /// Evaluates another frame and says what its levels took; absent where nobody can tell. Beside the timed frames,
   /// which timestamps would slow down. Errors: unsupported, when the device has no clock.
   std::function<Result<std::vector<LevelMs>>()> levels = {};
@@ -115,6 +116,7 @@ std::span<const EvaluatorEntry> evaluators();
 /// The functions behind the table that have a file of their own.
 Result<Prepared> prepareSimdTiled(const Problem& problem);
 Result<Prepared> prepareTbbTiled(const Problem& problem);
+Result<Prepared> prepareTbbTileOrder(const Problem& problem);
 /// Level after level, with fast normals.
 Result<Prepared> prepareFastNormals(const Problem& problem, Osd::CpuEvaluator::Threads threads);
 Result<Prepared> prepareCsr(const Problem& problem);

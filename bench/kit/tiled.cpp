@@ -2,6 +2,7 @@
 
 #include "bench/kit/evaluators.h"
 #include "bench/kit/level_evaluator.h"
+#include "far/base/bytes.h"
 #include "far/base/stopwatch.h"
 #include "far/tables/normal_rule.h"
 #include "far/tables/tile_table.h"
@@ -13,10 +14,12 @@ namespace honeycomb::Bench {
 
 namespace {
 
-Result<Prepared> prepareTiles(const Problem& problem, Osd::CpuEvaluator::Threads threads) {
+Result<Prepared> prepareTiles(const Problem& problem, Osd::CpuEvaluator::Threads threads,
+                              Far::TileOrder order = Far::TileOrder::levels) {
   const Stopwatch stopwatch;
-  Result<Far::TileTable> built =
-      Far::buildTileTable(problem.refinement, Osd::cpuTileOptions(tileNormals(problem.normals)));
+  Far::TileOptions options = Osd::cpuTileOptions(tileNormals(problem.normals));
+  options.order = order;
+  Result<Far::TileTable> built = Far::buildTileTable(problem.refinement, options);
   if (!built) return tl::unexpected(built.error());
   Prepared prepared;
   prepared.buildMs = problem.tablesMs + stopwatch.milliseconds();
@@ -31,7 +34,8 @@ Result<Prepared> prepareTiles(const Problem& problem, Osd::CpuEvaluator::Threads
   };
   prepared.refined = problem.refined;
   prepared.normals = problem.vertexNormals;
-  prepared.tableBytes = tiles->byteCount();
+  prepared.order.assign(tiles->written.begin(), tiles->written.end());
+  prepared.tableBytes = tiles->byteCount() - bytes(tiles->written);  // no frame reads that
   prepared.vertices = problem.refinement.last().topology.vertexCount();
   return prepared;
 }
@@ -44,6 +48,10 @@ Result<Prepared> prepareSimdTiled(const Problem& problem) {
 
 Result<Prepared> prepareTbbTiled(const Problem& problem) {
   return prepareTiles(problem, Osd::CpuEvaluator::Threads::all);
+}
+
+Result<Prepared> prepareTbbTileOrder(const Problem& problem) {
+  return prepareTiles(problem, Osd::CpuEvaluator::Threads::all, Far::TileOrder::tiles);
 }
 
 Result<Prepared> prepareFastNormals(const Problem& problem, Osd::CpuEvaluator::Threads threads) {

@@ -13,7 +13,7 @@ namespace honeycomb::Far {
 /// The order in which a TileTable writes the points of a level.
 enum class TileOrder : std::uint8_t {
   levels,  ///< that of the level tables, so that the level's index buffers fit
-  tiles    ///< tile after tile, each a contiguous range: TileTable::order tells which point went where
+  tiles    ///< tile after tile, each a contiguous range: TileTable::written tells which point went where
 };
 
 /// Which unit normals of the last level's vertices tiles find besides its points.
@@ -55,7 +55,7 @@ struct TileOptions {
   std::int32_t scratchPoints = 8192;  ///< points a tile keeps at once, about, 16 bytes each in single precision: what
                                       ///< half a second-level cache holds; 64 .. 32768
   std::int32_t fewestTiles = 1;       ///< at least so many, where each still keeps 4096 points: several a thread, so
-                                      ///< that all are busy to the end (Osd::tilesForThreads); from 1
+                                      ///< that all are busy to the end (Osd::cpuTileOptions); from 1
   TileOrder order = TileOrder::levels;
   TileNormalKind normals = TileNormalKind::none;
   TilePlaces places = TilePlaces::faces;
