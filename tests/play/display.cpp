@@ -72,7 +72,7 @@ Viewer::Picture Display::pixels(std::int32_t width, std::int32_t height) const {
     for (std::int32_t x = 0; x < width; ++x) {
       const std::size_t at =
           start + kRowBytes * static_cast<std::size_t>(y) + kPixelBytes * static_cast<std::size_t>(x);
-      for (const std::size_t channel : {2, 1, 0})
+      for (const std::size_t channel : {2U, 1U, 0U})
         picture.rgba.push_back(static_cast<std::uint8_t>(bytes.at(at + channel)));
       picture.rgba.push_back(255);
     }
