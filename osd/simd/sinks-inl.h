@@ -21,11 +21,16 @@ namespace honeycomb::Osd::Simd::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// An own point of a tile.
+HWY_INLINE const float* ownPoint(const float* own, Far::TilePoint point) {
+  return own + std::size_t{Kernels::kTileStride / 2} * point;
+}
+
 /// Own points index[0], index[step], .. of a tile.
 template <class D>
 HWY_INLINE hn::Vec<D> loadOwn(D d, const float* own, const Far::TilePoint* index, std::size_t step) {
   if constexpr (kBlocks<D> == 1) {
-    return hn::Load(d, own + std::size_t{Kernels::kTileStride / 2} * index[0]);
+    return hn::Load(d, ownPoint(own, index[0]));
   } else {
     const hn::Half<D> half;
     return hn::Combine(d, loadOwn(half, own, index + kBlocks<D> / 2 * step, step), loadOwn(half, own, index, step));
@@ -101,6 +106,8 @@ class Stream {
 template <int kPacked, bool kStreamed>
 class Sink {
  public:
+  static constexpr int kNumbers = kPacked;
+
   Sink(const View<float>& target, int length, Stream& stream)
       : data_(target.data), stride_(target.stride), length_(length), stream_(&stream) {}
 
@@ -121,6 +128,16 @@ class Sink {
     bool follow = true;
     for (int k = 1; outputs.each != nullptr && k < kBlocks<D>; ++k) follow &= each[k] == each[0] + k * n;
     put(d, out, n, outputs, face, follow);
+  }
+
+  /// Where the n outputs of each of kFaces faces of a step, the first of which is number `face`, go to if they follow
+  /// each other; null if they don't.
+  template <int kFaces>
+  HWY_INLINE float* inRow(const Kernels::Outputs& outputs, std::int32_t face, int n) const {
+    constexpr std::int32_t kLast = kFaces - 1;
+    if (outputs.each == nullptr) return place(outputs.first + face * n, kFaces * n);
+    const std::int32_t* const each = outputs.each + face;
+    return each[kLast] == each[0] + kLast * n ? place(each[0], kFaces * n) : nullptr;
   }
 
  private:

@@ -56,14 +56,13 @@ HWY_INLINE std::int32_t facesOfFrames(D d, const VertexFrames frames, Sink sink,
 
 template <template <int, class> class Weights, int kSides, int kEach, class Sink>
 void groupOfFrames(const VertexFrames& frames, Sink sink) {
-  using Wide = HWY_CAPPED(float, 16);
   std::int32_t face = 0;
   const auto upTo = [&](auto d, auto together) HWY_ATTR {
     face = facesOfFrames<Weights, kSides, kEach, decltype(together)::value>(d, frames, sink, face);
   };
   constexpr int kTogether = kUnitTogether<kEach>;
-  if constexpr (kTogether > 1) upTo(Wide(), Int<kTogether>{});
-  upTo(Wide(), Int<1>{});
+  if constexpr (kTogether > 1) upTo(Crossing(), Int<kTogether>{});
+  upTo(Crossing(), Int<1>{});
   upTo(Block(), Int<1>{});
 }
 
