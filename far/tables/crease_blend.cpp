@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "far/base/index.h"
+#include "far/tables/face_sums.h"
 #include "far/tables/level_rows.h"
 
 namespace honeycomb::Far {
@@ -80,7 +81,14 @@ class NewCentrals {
 class Blend {
  public:
   Blend(const Reshaped& closed, const ShapedStep& smooth, const ShapedStep& sharp)
-      : closed_(closed), smooth_(smooth), sharp_(sharp), smoothRows_(smooth.table), sharpRows_(sharp.table) {}
+      : closed_(closed),
+        smooth_(smooth),
+        sharp_(sharp),
+        smoothRows_(smooth.table),
+        sharpRows_(sharp.table),
+        sums_(smooth.table, [&closed](std::int32_t point) {
+          return at(point) < closed.united.size() ? closed.united[at(point)] : point;
+        }) {}
 
   void addPoints() {
     const NewPoints smooth(smooth_);
@@ -109,12 +117,12 @@ class Blend {
   }
 
   /// One row an output, ascending.
-  std::vector<ReplacedRow> finish() && {
+  RowChanges finish() && {
     std::stable_sort(rows_.begin(), rows_.end(),
                      [](const ReplacedRow& a, const ReplacedRow& b) { return a.output < b.output; });
     const auto same = [](const ReplacedRow& a, const ReplacedRow& b) { return a.output == b.output; };
     rows_.erase(std::unique(rows_.begin(), rows_.end(), same), rows_.end());
-    return std::move(rows_);
+    return {std::move(rows_), std::move(sums_).added()};
   }
 
  private:
@@ -131,12 +139,9 @@ class Blend {
   }
 
   /// Copies of a vertex that are united count as the first.
-  Row rowOf(const LevelRows& rows, std::int32_t output) const {
+  Row rowOf(const LevelRows& rows, std::int32_t output) {
     Row row;
-    rows.visit(output, [&](std::int32_t point, double weight) {
-      const bool vertex = at(point) < closed_.united.size();
-      row.push_back({vertex ? closed_.united[at(point)] : point, weight});
-    });
+    sums_.append(rows, output, 1, row);
     return row;
   }
 
@@ -161,13 +166,13 @@ class Blend {
   const ShapedStep& sharp_;
   LevelRows smoothRows_;
   LevelRows sharpRows_;
+  FaceSums sums_;
   std::vector<ReplacedRow> rows_;
 };
 
 }  // namespace
 
-std::vector<ReplacedRow> blendCreases(const Reshaped& closed, const ShapedStep& smooth, const ShapedStep& sharp,
-                                      bool centralPoints) {
+RowChanges blendCreases(const Reshaped& closed, const ShapedStep& smooth, const ShapedStep& sharp, bool centralPoints) {
   Blend blend(closed, smooth, sharp);
   blend.addPoints();
   if (centralPoints) blend.addCentrals();

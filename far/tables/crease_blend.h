@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "far/tables/level_table.h"
 #include "far/tables/replaced_rows.h"
 #include "far/topology/crease_cut.h"
@@ -20,7 +18,6 @@ struct ShapedStep {
 /// In the last step of a crease, of which s <= 1 steps are left, the mesh is closed there and its points are
 /// (1 - s) times those of the smooth step plus s times those of the sharp step: the rows that differ from the smooth
 /// step's. `closed` tells how the smooth step's parent was made from the sharp step's.
-std::vector<ReplacedRow> blendCreases(const Reshaped& closed, const ShapedStep& smooth, const ShapedStep& sharp,
-                                      bool centralPoints);
+RowChanges blendCreases(const Reshaped& closed, const ShapedStep& smooth, const ShapedStep& sharp, bool centralPoints);
 
 }  // namespace honeycomb::Far

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cassert>
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -59,6 +61,32 @@ class LevelRows {
     visitEntries(table_->summed.rows, summedRow, take);
   }
 
+  /// One of the sums over the corners of a large face, which many rows read.
+  struct Sum {
+    std::int32_t face = 0;        ///< in the table's projected faces
+    std::int32_t projection = 0;  ///< 0: S, 1: C, 2: D (see ProjectedFace); 0 where the face has no outputs
+    auto operator<=>(const Sum&) const = default;
+  };
+
+  /// The same as visit(), but what a row reads of all corners of a large face goes to takeSum(Sum, weight): a few calls
+  /// a row, however large the face.
+  template <class Take, class TakeSum>
+  void visitApart(std::int32_t output, const Take& take, const TakeSum& takeSum) const {
+    const Place p = place(output);
+    if (p.kind == Kind::projected) return visitProjectedApart(p, take, takeSum);
+    if (p.kind != Kind::summed) return visit(output, take);
+    visitOwnEntries(p.item, take);
+    visitShares(p.item, [&](std::int32_t face, double share) { takeSum(Sum{face, 0}, share); });
+  }
+
+  /// Calls take(source point, weight) for the corners that a sum is made of.
+  template <class Take>
+  void visitSum(const Sum& sum, const Take& take) const {
+    const ProjectedFace& face = table_->projected[at(sum.face)];
+    const std::int64_t s = face.firstWeight + 2 + std::int64_t{sum.projection} * face.corners;
+    for (std::int32_t j = 0; j < face.corners; ++j) take(source(face.firstIndex + j), weight(s + j));
+  }
+
   /// Calls take(large face, weight) for the shares of a summed row.
   template <class Take>
   void visitShares(std::int32_t summedRow, const Take& take) const {
@@ -87,16 +115,34 @@ class LevelRows {
     const std::int64_t s = std::int64_t{face.firstWeight} + 2;
     const std::int64_t n = face.corners;
     const std::int64_t x = s + 3 * n + i;
-    const std::int32_t a =
-        face.firstCorner + i < face.corners ? face.firstCorner + i : face.firstCorner + i - face.corners;
-    const std::int32_t b = a + 1 == face.corners ? 0 : a + 1;
+    const std::array<std::int32_t, 2> near = nearCorners(face, i);
     for (std::int32_t j = 0; j < face.corners; ++j) {
       double w = weight(x) * weight(s + j) + weight(x + face.outputs) * weight(s + n + j) +
                  weight(x + 2 * std::int64_t{face.outputs}) * weight(s + 2 * n + j);
-      if (j == a) w += weight(face.firstWeight);
-      if (j == b) w += weight(face.firstWeight + 1);
+      if (j == near[0]) w += weight(face.firstWeight);
+      if (j == near[1]) w += weight(face.firstWeight + 1);
       take(source(face.firstIndex + j), w);
     }
+  }
+
+  template <class Take, class TakeSum>
+  void visitProjectedApart(const Place& p, const Take& take, const TakeSum& takeSum) const {
+    const ProjectedFace& face = table_->projected[at(p.batch)];
+    const std::array<std::int32_t, 2> near = nearCorners(face, p.row);
+    take(source(face.firstIndex + near[0]), weight(face.firstWeight));
+    take(source(face.firstIndex + near[1]), weight(face.firstWeight + 1));
+    const std::int64_t x = face.firstWeight + 2 + 3 * std::int64_t{face.corners} + p.row;
+    for (std::int32_t projection = 0; projection < 3; ++projection) {
+      const double share = weight(x + std::int64_t{projection} * face.outputs);
+      if (share != 0) takeSum(Sum{p.batch, projection}, share);
+    }
+  }
+
+  /// The two corners that output i of a large face reads beside its sums.
+  static std::array<std::int32_t, 2> nearCorners(const ProjectedFace& face, std::int32_t i) {
+    const std::int32_t from = face.firstCorner + i;
+    const std::int32_t a = from < face.corners ? from : from - face.corners;
+    return {a, a + 1 == face.corners ? 0 : a + 1};
   }
 
   template <class Take>
@@ -108,11 +154,8 @@ class LevelRows {
   template <class Take>
   void visitSummed(std::int32_t item, const Take& take) const {
     visitOwnEntries(item, take);
-    visitShares(item, [&](std::int32_t number, double share) {
-      const ProjectedFace& face = table_->projected[at(number)];
-      for (std::int32_t j = 0; j < face.corners; ++j) {
-        take(source(face.firstIndex + j), share * weight(std::int64_t{face.firstWeight} + 2 + j));
-      }
+    visitShares(item, [&](std::int32_t face, double share) {
+      visitSum({face, 0}, [&](std::int32_t point, double w) { take(point, share * w); });
     });
   }
 

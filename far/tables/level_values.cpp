@@ -17,12 +17,15 @@ class Application {
 
   std::vector<double> run() {
     const LevelRows rows(table_);
+    sumFaces(rows);
     Parallel::forEach(
         0, table_.targetCount,
         [&](std::int64_t output) {
           const auto o = static_cast<std::int32_t>(output);
           if (rows.place(o).kind == LevelRows::Kind::projected) return;
-          rows.visit(o, [&](std::int32_t p, double w) { add(p, w, o); });
+          rows.visitApart(
+              o, [&](std::int32_t p, double w) { add(p, w, o); },
+              [&](const LevelRows::Sum& sum, double share) { addSum(sum.face, share, o); });
         },
         256);
     Parallel::forEach(
@@ -41,6 +44,24 @@ class Application {
 
   void add(std::int32_t point, double weight, std::int32_t output) {
     for (std::int32_t k = 0; k < length_; ++k) target(output, k) += weight * source(point, k);
+  }
+
+  void addSum(std::int32_t face, double share, std::int32_t output) {
+    for (std::int32_t k = 0; k < length_; ++k) target(output, k) += share * sums_[at(face) * at(length_) + at(k)];
+  }
+
+  /// S of all large faces, where summed rows read them.
+  void sumFaces(const LevelRows& rows) {
+    if (table_.summed.rowCount() == 0) return;
+    sums_.resize(table_.projected.size() * at(length_));
+    Parallel::forEach(
+        0, std::ssize(table_.projected),
+        [&](std::int64_t f) {
+          rows.visitSum({static_cast<std::int32_t>(f), 0}, [&](std::int32_t p, double w) {
+            for (std::int32_t k = 0; k < length_; ++k) sums_[at(f) * at(length_) + at(k)] += w * source(p, k);
+          });
+        },
+        1);
   }
 
   /// See ProjectedFace.
@@ -68,6 +89,7 @@ class Application {
   std::span<const double> source_;
   std::int32_t length_;
   std::vector<double> target_;
+  std::vector<double> sums_;  // `length` numbers a large face
 };
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include "far/tables/replaced_rows.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "far/base/index.h"
+#include "far/tables/summed_row_writer.h"
 
 namespace honeycomb::Far {
 
@@ -10,17 +12,20 @@ namespace {
 
 class Replacement {
  public:
-  Replacement(LevelTable& table, const std::vector<ReplacedRow>& rows)
-      : table_(table), rows_(rows), goes_(at(table.targetCount), 0) {
-    for (const ReplacedRow& row : rows) goes_[at(row.output)] = 1;
+  Replacement(LevelTable& table, const RowChanges& changes)
+      : table_(table), changes_(changes), goes_(at(table.targetCount), 0) {
+    for (const ReplacedRow& row : changes.rows) goes_[at(row.output)] = 1;
   }
 
   void apply() {
     cutCirculants();
     cutDense();
     cutProjected();
-    cutSummed();
-    rewriteLoose();
+    cutLoose();
+    const std::vector<ReplacedRow> keptSummed = cutSummed();
+    addSums();
+    addRows(keptSummed);
+    dropUnread();
     table_.weightsSingle.assign(table_.weights.begin(), table_.weights.end());
   }
 
@@ -62,83 +67,117 @@ class Replacement {
     }
   }
 
-  /// Summed rows go on reading the sums of faces whose outputs are replaced: such a face stays, without outputs.
+  /// Faces whose outputs are replaced stay, without outputs, for the rows that read their sums.
   void cutProjected() {
-    const bool read = table_.summed.rowCount() > 0;
     for (ProjectedFace& face : table_.projected) {
       if (face.outputs > 0 && goes_[at(face.firstOutput)] != 0) face.outputs = 0;
     }
-    if (!read) std::erase_if(table_.projected, [](const ProjectedFace& face) { return face.outputs == 0; });
   }
 
-  /// The rows that stay move together; what they leave of the table's arrays behind them is read by none.
-  void cutSummed() {
-    const SummedRows old = std::exchange(table_.summed, {});
-    SummedRows& kept = table_.summed;
-    Array<std::int32_t>& indices = table_.indices.edit();
-    kept.rows.firstIndex = old.rows.firstIndex;
-    kept.rows.firstWeight = old.rows.firstWeight;
-    kept.firstShare = old.firstShare;
-    std::int32_t entries = 0;
-    for (std::int32_t r = 0; r < old.rowCount(); ++r) {
-      if (goes_[at(old.rows.outputs[at(r)])] != 0) continue;
-      for (std::int32_t b = old.rows.offsets[at(r)]; b < old.rows.offsets[at(r) + 1]; ++b, ++entries) {
-        indices[at(old.rows.firstIndex + entries)] = indices[at(old.rows.firstIndex + b)];
-        table_.weights[at(old.rows.firstWeight + entries)] = table_.weights[at(old.rows.firstWeight + b)];
-      }
-      for (std::int32_t t = old.shareOffsets[at(r)]; t < old.shareOffsets[at(r) + 1]; ++t) {
-        table_.weights[at(old.firstShare) + kept.faces.size()] = table_.weights[at(old.firstShare + t)];
-        kept.faces.push_back(old.faces[at(t)]);
-      }
-      kept.rows.outputs.push_back(old.rows.outputs[at(r)]);
-      kept.rows.offsets.push_back(entries);
-      kept.shareOffsets.push_back(static_cast<std::int32_t>(kept.faces.size()));
-    }
-  }
-
-  /// The loose rows are the last of the table's indices and weights.
-  void rewriteLoose() {
-    LooseRows loose;
-    std::vector<std::int32_t> indices;
-    std::vector<double> weights;
-    const LooseRows& old = table_.loose;
-    const auto close = [&](std::int32_t output) {
-      loose.outputs.push_back(output);
-      loose.offsets.push_back(static_cast<std::int32_t>(indices.size()));
-    };
+  /// Takes the loose rows that stay out of the table.
+  void cutLoose() {
+    const LooseRows old = std::exchange(table_.loose, {});
     for (std::int32_t r = 0; r < old.rowCount(); ++r) {
       if (goes_[at(old.outputs[at(r)])] != 0) continue;
       for (std::int32_t b = old.offsets[at(r)]; b < old.offsets[at(r) + 1]; ++b) {
-        indices.push_back(table_.indices[at(old.firstIndex + b)]);
-        weights.push_back(table_.weights[at(old.firstWeight + b)]);
+        looseIndices_.push_back(table_.indices[at(old.firstIndex + b)]);
+        looseWeights_.push_back(table_.weights[at(old.firstWeight + b)]);
       }
-      close(old.outputs[at(r)]);
+      closeLoose(old.outputs[at(r)]);
     }
-    for (const ReplacedRow& row : rows_) {
-      for (const Weight& entry : row.row) {
-        indices.push_back(entry.point);
-        weights.push_back(entry.weight);
-      }
-      close(row.output);
-    }
-    loose.firstIndex = old.firstIndex;
-    loose.firstWeight = old.firstWeight;
     table_.indices.edit().resize(at(old.firstIndex));
     table_.weights.resize(at(old.firstWeight));
-    table_.indices.edit().append(indices.begin(), indices.end());
-    table_.weights.append(weights.begin(), weights.end());
-    table_.loose = std::move(loose);
+  }
+
+  void closeLoose(std::int32_t output) {
+    table_.loose.outputs.push_back(output);
+    table_.loose.offsets.push_back(static_cast<std::int32_t>(looseIndices_.size()));
+  }
+
+  /// Takes the summed rows out of the table; returns those that stay.
+  std::vector<ReplacedRow> cutSummed() {
+    const SummedRows old = std::exchange(table_.summed, {});
+    std::vector<ReplacedRow> kept;
+    for (std::int32_t r = 0; r < old.rowCount(); ++r) {
+      if (goes_[at(old.rows.outputs[at(r)])] != 0) continue;
+      ReplacedRow& row = kept.emplace_back();
+      row.output = old.rows.outputs[at(r)];
+      for (std::int32_t b = old.rows.offsets[at(r)]; b < old.rows.offsets[at(r) + 1]; ++b) {
+        row.row.push_back({table_.indices[at(old.rows.firstIndex + b)], table_.weights[at(old.rows.firstWeight + b)]});
+      }
+      for (std::int32_t t = old.shareOffsets[at(r)]; t < old.shareOffsets[at(r) + 1]; ++t) {
+        row.row.push_back({table_.sourceCount + old.faces[at(t)], table_.weights[at(old.firstShare + t)]});
+      }
+    }
+    if (old.rowCount() > 0) {
+      table_.indices.edit().resize(at(old.rows.firstIndex));
+      table_.weights.resize(at(old.rows.firstWeight));
+    }
+    return kept;
+  }
+
+  /// New sums are large faces without outputs, whose first two weights are read by none.
+  void addSums() {
+    for (const PointSum& sum : changes_.sums) {
+      table_.projected.push_back({static_cast<std::int32_t>(sum.points.size()), 0, 0,
+                                  static_cast<std::int32_t>(table_.indices.size()), 0,
+                                  static_cast<std::int32_t>(table_.weights.size())});
+      table_.indices.edit().append(sum.points.begin(), sum.points.end());
+      table_.weights.resize(table_.weights.size() + 2, 0.0);
+      table_.weights.append(sum.weights.begin(), sum.weights.end());
+    }
+  }
+
+  void addRows(const std::vector<ReplacedRow>& keptSummed) {
+    SummedRowWriter summed(table_);
+    for (const ReplacedRow& row : keptSummed) summed.add(row);
+    for (const ReplacedRow& row : changes_.rows) {
+      if (std::ranges::any_of(row.row, [&](const Weight& entry) { return entry.point >= table_.sourceCount; })) {
+        summed.add(row);
+      } else {
+        addLoose(row);
+      }
+    }
+    summed.finish();
+    table_.loose.firstIndex = static_cast<std::int32_t>(table_.indices.size());
+    table_.loose.firstWeight = static_cast<std::int32_t>(table_.weights.size());
+    table_.indices.edit().append(looseIndices_.begin(), looseIndices_.end());
+    table_.weights.append(looseWeights_.begin(), looseWeights_.end());
+  }
+
+  void addLoose(const ReplacedRow& row) {
+    for (const Weight& entry : row.row) {
+      looseIndices_.push_back(entry.point);
+      looseWeights_.push_back(entry.weight);
+    }
+    closeLoose(row.output);
+  }
+
+  /// Drops large faces that neither write nor are read.
+  void dropUnread() {
+    std::vector<std::int32_t> numbers(table_.projected.size(), 0);
+    for (const std::int32_t face : table_.summed.faces) numbers[at(face)] = 1;
+    std::int32_t kept = 0;
+    for (std::size_t f = 0; f < numbers.size(); ++f) {
+      if (numbers[f] == 0 && table_.projected[f].outputs == 0) continue;
+      numbers[f] = kept;
+      table_.projected[at(kept++)] = table_.projected[f];
+    }
+    table_.projected.resize(at(kept));
+    for (std::int32_t& face : table_.summed.faces) face = numbers[at(face)];
   }
 
   LevelTable& table_;
-  const std::vector<ReplacedRow>& rows_;
+  const RowChanges& changes_;
   std::vector<std::uint8_t> goes_;  // per output
+  std::vector<std::int32_t> looseIndices_;
+  std::vector<double> looseWeights_;
 };
 
 }  // namespace
 
-void replaceRows(LevelTable& table, const std::vector<ReplacedRow>& rows) {
-  if (!rows.empty()) Replacement(table, rows).apply();
+void replaceRows(LevelTable& table, const RowChanges& changes) {
+  if (!changes.rows.empty()) Replacement(table, changes).apply();
 }
 
 }  // namespace honeycomb::Far

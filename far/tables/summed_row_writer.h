@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "far/tables/level_table.h"
+#include "far/tables/replaced_rows.h"
 #include "far/tables/row_writer.h"
 
 namespace honeycomb::Far {
@@ -16,6 +17,8 @@ class SummedRowWriter {
 
   /// The rows of the outputs firstOutput .. firstOutput + count - 1; made once each, in parallel.
   void add(std::int32_t firstOutput, std::int64_t count, const RowWriter::MakeRow& makeRow);
+  /// One more row.
+  void add(const ReplacedRow& row) { append(row.output, row.row); }
   /// Appends the rows to the table. Call once, before the loose rows are appended.
   void finish();
 

@@ -32,9 +32,8 @@ class Closing {
       const std::int32_t b = level.boundary()[rank];
       if (expires(b)) close(b, level.boundaryTags()[rank]);
     }
-    for (const std::int32_t b : level.boundary()) {
-      if (level.vertexTag(level.vert(b)) == VertexTag::fixedCorner) releaseCorner(level.vert(b));
-    }
+    for (std::int32_t v = 0; v < level.vertexCount(); ++v) same_[at(v)] = same_[at(same_[at(v)])];
+    releaseCorners();
   }
 
   const CreaseSides& sides() const { return sides_; }
@@ -55,10 +54,7 @@ class Closing {
     return n;
   }
   /// The first of the vertices that v is united with.
-  std::int32_t same(std::int32_t v) const {
-    while (same_[at(v)] != v) v = same_[at(v)];
-    return v;
-  }
+  std::int32_t same(std::int32_t v) const { return same_[at(v)]; }
   /// Faces that change, and vertices on what is closed; an element may come more than once.
   const std::vector<ClosedCrease>& faces() const { return faces_; }
   const std::vector<ClosedCrease>& vertices() const { return vertices_; }
@@ -78,21 +74,41 @@ class Closing {
     }
   }
 
+  /// While vertices are united, same_ has a vertex before v that is united with it; the ways there are cut short.
+  std::int32_t firstOf(std::int32_t v) {
+    while (same_[at(v)] != v) v = same_[at(v)] = same_[at(same_[at(v)])];
+    return v;
+  }
+
   void unite(std::int32_t a, std::int32_t b) {
-    a = same(a);
-    b = same(b);
+    a = firstOf(a);
+    b = firstOf(b);
     same_[at(std::max(a, b))] = std::min(a, b);
   }
 
+  /// Looks at each corner from one of its copies: where they end at the boundary from the first, else from any.
+  void releaseCorners() {
+    std::vector<std::uint8_t> seen(at(level_.vertexCount()), 0);
+    for (const bool fromBoundary : {true, false}) {
+      for (const std::int32_t b : level_.boundary()) {
+        const std::int32_t v = level_.vert(b);
+        if (level_.vertexTag(v) != VertexTag::fixedCorner || seen[at(v)] != 0) continue;
+        if (fromBoundary && sides_.sharpness(level_.enteringBoundary(v)) > 0) continue;
+        releaseCorner(v, seen);
+      }
+    }
+  }
+
   /// Dissolves the copies of a corner that is held neither by the caller nor by what is left of its creases: two of
-  /// the same sharpness that meet, or none on the boundary. Looks at each corner from one of its copies.
-  void releaseCorner(std::int32_t first) {
+  /// the same sharpness that meet, or none on the boundary.
+  void releaseCorner(std::int32_t first, std::vector<std::uint8_t>& seen) {
     std::vector<std::int32_t> copies;
     std::vector<double> left;
     double closed = 0;
     bool round = false;
     for (std::int32_t v = first; v >= 0 && !round;) {
       copies.push_back(v);
+      seen[at(v)] = 1;
       const std::int32_t b = level_.outgoing(v);
       const double s = sides_.sharpness(b);
       if (expires(b)) closed = std::max(closed, s);
@@ -100,11 +116,9 @@ class Closing {
       v = s > 0 ? level_.dest(sides_.mate(b)) : -1;
       round = v == first;
     }
-    const bool foremost = round ? *std::min_element(copies.begin(), copies.end()) == first
-                                : sides_.sharpness(level_.enteringBoundary(first)) == 0;
     const bool held = std::binary_search(level_.heldCorners().begin(), level_.heldCorners().end(), first);
     const bool free = round ? left.size() == 2 && left[0] == left[1] : left.empty();
-    if (!foremost || held || !free || closed == 0) return;
+    if (held || !free || closed == 0) return;
     for (const std::int32_t v : copies) {
       dissolved_[at(v)] = 1;
       faces_.push_back({level_.face(level_.outgoing(v)), closed});

@@ -175,6 +175,15 @@ TYPED_TEST(Tiles, GiveTheBitsOfTheChainWhereRowsReadTheSumsOfLargeFaces) {
   }
 }
 
+TYPED_TEST(Tiles, GiveTheBitsOfTheChainWhereManyCreasesEndAtALargeFace) {
+  Random random(10);
+  for (const CreasedMesh& c : meetingCreases(100, 1.5)) {
+    const Far::Refinement refinement = Far::refine(creased(c.mesh, c.creases), *Far::akleman(), 3).value();
+    ASSERT_GT(refinement.level(1).table.summed.rowCount() + refinement.level(2).table.summed.rowCount(), 0);
+    ASSERT_NO_FATAL_FAILURE(compareAllLevels<TypeParam>(refinement, 600, random)) << c.name;
+  }
+}
+
 TYPED_TEST(Tiles, AreTheSameOnAnyNumberOfThreads) {
   const PolyMesh mesh = torus(50, 40);
   const Far::Refinement refinement = refined(mesh, schemeCase(NamedTension::paper).scheme, 3);

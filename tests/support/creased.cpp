@@ -59,6 +59,15 @@ std::vector<CreasedMesh> creasedMeshes(double sharpness) {
           {"star on a grid with a border", grid(4, 4), star}};
 }
 
+std::vector<CreasedMesh> meetingCreases(std::size_t n, double sharpness) {
+  const auto count = static_cast<std::int32_t>(n);
+  std::vector<Far::Crease> posts;
+  for (std::int32_t i = 0; i < count; ++i) addLine({i, count + i}, sharpness, posts);
+  std::vector<Far::Crease> spokes;
+  for (std::int32_t i = 0; i < count; i += 2) addLine({0, 1 + i}, sharpness, spokes);
+  return {{"posts of a prism", prism(n), posts}, {"spokes of a wheel", wheel(n), spokes}};
+}
+
 PolyMesh detached(PolyMesh mesh, std::size_t f) {
   for (std::size_t& v : mesh.faces[f]) {
     mesh.points.push_back(mesh.points[v]);

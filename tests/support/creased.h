@@ -27,6 +27,9 @@ struct CreasedMesh {
 };
 std::vector<CreasedMesh> creasedMeshes(double sharpness);
 
+/// Creases that all end at one large face or vertex: the posts of a prism of n sides, every second spoke of a wheel.
+std::vector<CreasedMesh> meetingCreases(std::size_t n, double sharpness);
+
 /// The mesh with face f standing alone, on copies of its vertices.
 PolyMesh detached(PolyMesh mesh, std::size_t f);
 

@@ -70,6 +70,13 @@ TEST_F(TilesTest, WithCreases) {
   }
 }
 
+TEST_F(TilesTest, WithManyCreasesThatEndAtALargeFace) {
+  for (const Meshes::CreasedMesh& mesh : Meshes::meetingCreases(100, 1.5)) {
+    const Far::Refinement refinement = must(Far::refine(Meshes::creased(mesh.mesh, mesh.creases), *Far::akleman(), 2));
+    EXPECT_TRUE(agree(refinement, {.scratchPoints = 300})) << mesh.name;
+  }
+}
+
 TEST_F(TilesTest, OfFacesWithAnyNumberOfSides) {
   for (const std::size_t sides : {3U, 5U, 7U, 9U, 10U, 33U, 64U}) {
     const Far::Refinement refinement = aklemanOf(Meshes::prism(sides), 2);
