@@ -30,27 +30,6 @@ Result<VulkanBinding> VulkanBinding::create(const std::shared_ptr<const VulkanCo
   return binding;
 }
 
-namespace {
-
-Result<void> checkRange(const VulkanRange& range, std::uint64_t needed, std::uint64_t alignment, const char* what) {
-  if (range.buffer == VK_NULL_HANDLE) {
-    return fail(ErrorCode::invalidOption, fmt::format("the table needs a buffer for {}, none is given", what));
-  }
-  if (range.size < needed) {
-    return fail(ErrorCode::invalidOption,
-                fmt::format("the buffer for {} has {} bytes, the table needs {}: make it larger or "
-                            "check the descriptor",
-                            what, range.size, needed));
-  }
-  if (range.offset % alignment != 0) {
-    return fail(ErrorCode::invalidOption, fmt::format("the buffer for {} begins at byte {}, which is no multiple of {}",
-                                                      what, range.offset, alignment));
-  }
-  return {};
-}
-
-}  // namespace
-
 Result<void> VulkanBinding::resolve(const VulkanTargets& targets) {
   const std::array<std::pair<VulkanRange, const char*>, kCallerBuffers> buffers = {
       {{targets.control, "the control points"},
@@ -112,50 +91,19 @@ Result<void> VulkanBinding::makeSets() {
       places.emplace(Key{one.stage, one.dispatch.ranges}, static_cast<std::uint32_t>(places.size()));
     }
   }
-  if (auto made = makePool(static_cast<std::uint32_t>(places.size())); !made) return made;
-  const auto sets = allocateSets(static_cast<std::uint32_t>(places.size()));
-  if (!sets) return tl::unexpected(sets.error());
-  for (const auto& [key, place] : places) writeSet((*sets)[place], table_.state_->stages[key.first], key.second);
+  auto made = DescriptorSets::create(*core_, pipelines_->setLayout(), static_cast<std::uint32_t>(places.size()));
+  if (!made) return tl::unexpected(made.error());
+  sets_ = std::move(*made);
+  for (const auto& [key, place] : places) writeSet(sets_.sets[place], table_.state_->stages[key.first], key.second);
   for (const auto& phase : table_.state_->phases) {
     std::vector<Command>& commands = phases_.emplace_back();
     for (const TableDispatch& one : phase) {
       const std::uint32_t place = places.at(Key{one.stage, one.dispatch.ranges});
       commands.push_back(
-          {one.pipeline, (*sets)[place], one.dispatch.push, one.dispatch.groups, one.dispatch.groupRows});
+          {one.pipeline, sets_.sets[place], one.dispatch.push, one.dispatch.groups, one.dispatch.groupRows});
     }
   }
   return {};
-}
-
-Result<void> VulkanBinding::makePool(std::uint32_t sets) {
-  const std::uint32_t count = std::max(1U, sets);
-  const std::array sizes{VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, count * (kSourcePages + kSlotCount)},
-                         VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, count},
-                         VkDescriptorPoolSize{VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER, count}};
-  VkDescriptorPoolCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
-  info.maxSets = count;
-  info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
-  info.pPoolSizes = sizes.data();
-  auto pool = core_->make(core_->vk().vkCreateDescriptorPool, core_->vk().vkDestroyDescriptorPool, info,
-                          "create a descriptor pool");
-  if (!pool) return tl::unexpected(pool.error());
-  pool_ = std::move(*pool);
-  return {};
-}
-
-Result<std::vector<VkDescriptorSet>> VulkanBinding::allocateSets(std::uint32_t count) const {
-  std::vector<VkDescriptorSet> sets(count);
-  if (count == 0) return sets;
-  const std::vector<VkDescriptorSetLayout> layouts(count, pipelines_->setLayout());
-  VkDescriptorSetAllocateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
-  info.descriptorPool = pool_.get();
-  info.descriptorSetCount = count;
-  info.pSetLayouts = layouts.data();
-  const VkResult result = core_->vk().vkAllocateDescriptorSets(core_->device.device, &info, sets.data());
-  if (result != VK_SUCCESS) return vulkanFailure(result, "allocate descriptor sets");
-  return sets;
 }
 
 // What a kernel doesn't use is bound to the begin of its table: every descriptor of a set is valid.

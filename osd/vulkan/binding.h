@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "osd/vulkan/descriptor_sets.h"
 #include "osd/vulkan/level_timer.h"
 #include "osd/vulkan/table.h"
 
@@ -73,8 +74,6 @@ class VulkanBinding {
   Result<void> makeScratch(const VulkanBinding* shared);
   Result<void> viewScratch();
   Result<void> makeSets();
-  Result<void> makePool(std::uint32_t sets);
-  Result<std::vector<VkDescriptorSet>> allocateSets(std::uint32_t count) const;
   void writeSet(VkDescriptorSet set, const TableStage& stage, const BoundRanges& ranges) const;
   void writeTexels(VkDescriptorSet set, std::uint32_t slot, VkDescriptorType type, VkBufferView view) const;
   VkDescriptorBufferInfo bufferOf(const TableStage& stage, const BoundRange& range) const;
@@ -89,7 +88,7 @@ class VulkanBinding {
   std::shared_ptr<const std::array<VulkanBuffer, kScratchBuffers>> scratch_;
   std::array<VulkanRange, kCallerBuffers + kScratchBuffers> ranges_{};
   DeviceHandle<VkBufferView> scratchTexels_;
-  DeviceHandle<VkDescriptorPool> pool_;
+  DescriptorSets sets_;
   std::vector<std::vector<Command>> phases_;
   std::vector<std::size_t> timedEnds_;  ///< phases up to the end of each part that is timed
   std::optional<LevelTimer> timer_;

@@ -88,6 +88,7 @@ class VulkanEvaluator {
   /// What the device allows.
   const VulkanLimits& limits() const { return core_->limits; }
   const std::shared_ptr<const VulkanCore>& core() const { return core_; }
+  const std::shared_ptr<VulkanPipelines>& pipelines() const { return pipelines_; }
 
  private:
   Result<VulkanTable> uploadRange(Far::LevelTables levels, const Far::NormalTable* fast,

@@ -36,6 +36,30 @@ const char* fileName(Kernel kernel) {
       return "tile_buffer.comp.spv";
     case Kernel::tileShared:
       return "tile_shared.comp.spv";
+    case Kernel::zipFaceOf:
+      return "zip_face_of.comp.spv";
+    case Kernel::zipAround:
+      return "zip_around.comp.spv";
+    case Kernel::zipTurns:
+      return "zip_turns.comp.spv";
+    case Kernel::least:
+      return "least.comp.spv";
+    case Kernel::scanSums:
+      return "scan_sums.comp.spv";
+    case Kernel::scanPieces:
+      return "scan_pieces.comp.spv";
+    case Kernel::sortCounts:
+      return "sort_counts.comp.spv";
+    case Kernel::sortPlaces:
+      return "sort_places.comp.spv";
+    case Kernel::zipPlaces:
+      return "zip_places.comp.spv";
+    case Kernel::zipLoops:
+      return "zip_loops.comp.spv";
+    case Kernel::zipNumbers:
+      return "zip_numbers.comp.spv";
+    case Kernel::zipHexagons:
+      return "zip_hexagons.comp.spv";
     default:
       return nullptr;
   }

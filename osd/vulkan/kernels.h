@@ -18,9 +18,22 @@ enum class Kernel : std::uint32_t {
   limits,
   normals,
   tileBuffer,
-  tileShared
+  tileShared,
+  // Of connectivity, without arithmetic of points: VulkanTopology's.
+  zipFaceOf,
+  zipAround,
+  zipTurns,
+  least,
+  scanSums,
+  scanPieces,
+  sortCounts,
+  sortPlaces,
+  zipPlaces,
+  zipLoops,
+  zipNumbers,
+  zipHexagons
 };
-constexpr std::uint32_t kKernelCount = 11;
+constexpr std::uint32_t kKernelCount = 23;
 
 /// How tiles write a point: see shaders/tile.glsl.
 enum class TilePlacing : std::uint32_t { numbers, whole, pairs, fours };

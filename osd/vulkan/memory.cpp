@@ -139,6 +139,23 @@ Result<SharedBuffer> SharedBuffer::create(const std::shared_ptr<const VulkanCore
   return shared;
 }
 
+Result<void> checkRange(const VulkanRange& range, std::uint64_t needed, std::uint64_t alignment, const char* what) {
+  if (range.buffer == VK_NULL_HANDLE) {
+    return fail(ErrorCode::invalidOption, fmt::format("a buffer for {} is needed, none is given", what));
+  }
+  if (range.size < needed) {
+    return fail(ErrorCode::invalidOption,
+                fmt::format("the buffer for {} has {} bytes, {} are needed: make it larger or "
+                            "check the descriptor",
+                            what, range.size, needed));
+  }
+  if (range.offset % alignment != 0) {
+    return fail(ErrorCode::invalidOption, fmt::format("the buffer for {} begins at byte {}, which is no multiple of {}",
+                                                      what, range.offset, alignment));
+  }
+  return {};
+}
+
 namespace {
 
 void copyPieces(std::span<std::byte> target, std::span<const BufferPiece> pieces) {

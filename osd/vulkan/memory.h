@@ -20,6 +20,9 @@ struct VulkanRange {
   std::uint64_t size = 0;
 };
 
+/// Is it a buffer of that many bytes, at an offset that can be bound? Errors: invalidOption; `what` it is for.
+Result<void> checkRange(const VulkanRange& range, std::uint64_t needed, std::uint64_t alignment, const char* what);
+
 /// Who touches a buffer.
 enum class MemoryUse {
   device,   ///< kernels; mapped as well where the device shares its memory with the host

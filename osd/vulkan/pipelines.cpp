@@ -8,15 +8,27 @@ namespace honeycomb::Osd {
 namespace {
 #include "shaders/circulant.comp.h"
 #include "shaders/dense.comp.h"
+#include "shaders/least.comp.h"
 #include "shaders/limits.comp.h"
 #include "shaders/loose.comp.h"
 #include "shaders/normals.comp.h"
 #include "shaders/projected.comp.h"
 #include "shaders/projected_blocks.comp.h"
 #include "shaders/projected_sums.comp.h"
+#include "shaders/scan_pieces.comp.h"
+#include "shaders/scan_sums.comp.h"
+#include "shaders/sort_counts.comp.h"
+#include "shaders/sort_places.comp.h"
 #include "shaders/summed.comp.h"
 #include "shaders/tile_buffer.comp.h"
 #include "shaders/tile_shared.comp.h"
+#include "shaders/zip_around.comp.h"
+#include "shaders/zip_face_of.comp.h"
+#include "shaders/zip_hexagons.comp.h"
+#include "shaders/zip_loops.comp.h"
+#include "shaders/zip_numbers.comp.h"
+#include "shaders/zip_places.comp.h"
+#include "shaders/zip_turns.comp.h"
 }  // namespace
 
 std::span<const std::uint32_t> kernelCode(Kernel kernel) {
@@ -41,6 +53,30 @@ std::span<const std::uint32_t> kernelCode(Kernel kernel) {
       return kTileBufferComp;
     case Kernel::tileShared:
       return kTileSharedComp;
+    case Kernel::zipFaceOf:
+      return kZipFaceOfComp;
+    case Kernel::zipAround:
+      return kZipAroundComp;
+    case Kernel::zipTurns:
+      return kZipTurnsComp;
+    case Kernel::least:
+      return kLeastComp;
+    case Kernel::scanSums:
+      return kScanSumsComp;
+    case Kernel::scanPieces:
+      return kScanPiecesComp;
+    case Kernel::sortCounts:
+      return kSortCountsComp;
+    case Kernel::sortPlaces:
+      return kSortPlacesComp;
+    case Kernel::zipPlaces:
+      return kZipPlacesComp;
+    case Kernel::zipLoops:
+      return kZipLoopsComp;
+    case Kernel::zipNumbers:
+      return kZipNumbersComp;
+    case Kernel::zipHexagons:
+      return kZipHexagonsComp;
     default:
       return kLimitsComp;
   }

@@ -144,9 +144,9 @@ TEST_F(EvaluatorTest, RefusesBuffersThatAreMissingShortOrMisaligned) {
     const auto binding = evaluator.bind(*table, targets);
     return binding ? std::string("bound") : binding.error().message;
   };
-  EXPECT_THAT(refusal({.control = source.range()}), HasSubstr("needs a buffer for the refined points"));
+  EXPECT_THAT(refusal({.control = source.range()}), HasSubstr("a buffer for the refined points is needed"));
   EXPECT_THAT(refusal({.control = {source.handle(), 0, 3599}, .refined = target.range()}),
-              HasSubstr("the buffer for the control points has 3599 bytes, the table needs 3600"));
+              HasSubstr("the buffer for the control points has 3599 bytes, 3600 are needed"));
   EXPECT_THAT(refusal({.control = {source.handle(), 4, 3600}, .refined = target.range()}),
               HasSubstr("begins at byte 4"));
   EXPECT_EQ(refusal({.control = {source.handle(), 0, 3600}, .refined = {target.handle(), 0, 6480}}), "bound");

@@ -45,6 +45,10 @@ foreach(name IN ITEMS tiles_test tile_normals_test tile_frames_test)
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/${name}.cpp ${CMAKE_CURRENT_LIST_DIR}/lsan_suppressions.cpp
     LIBRARIES honeycomb_vulkan_test_support honeycomb::osd_vulkan honeycomb::test_support)
 endforeach()
+honeycomb_test(vulkan_topology_test
+  LABELS vulkan
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/topology_test.cpp ${CMAKE_CURRENT_LIST_DIR}/lsan_suppressions.cpp
+  LIBRARIES honeycomb_vulkan_test_support honeycomb::osd_vulkan honeycomb::test_support)
 honeycomb_test(vulkan_table_file_test
   LABELS vulkan
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/table_file_test.cpp ${CMAKE_CURRENT_LIST_DIR}/lsan_suppressions.cpp
