@@ -1,6 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// Numbers that follow from where they stand: target number push.first + i is push.value + i * push.shift.
+// Numbers that follow from where they stand: number n of the target is push.value + (n - push.parents) / push.most *
+// push.shift, for those from push.first on.
 #include "connectivity.glsl"
 
 layout(set = 0, binding = 3) restrict writeonly buffer Target { uint target[]; };
@@ -8,5 +9,6 @@ layout(set = 0, binding = 3) restrict writeonly buffer Target { uint target[]; }
 void main() {
   const uint i = invocation();
   if (i >= push.count) return;
-  target[push.first + i - push.windowBegin] = push.value + i * push.shift;
+  const uint n = push.first + i;
+  target[n - push.windowBegin] = push.value + (n - push.parents) / push.most * push.shift;
 }

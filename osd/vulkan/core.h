@@ -49,6 +49,11 @@ struct VulkanLimits {
   std::uint64_t pageNumbers() const { return pageBytes / sizeof(float); }
 };
 
+/// Pages of that many bytes.
+inline std::uint64_t pagesOf(std::uint64_t bytes, const VulkanLimits& limits) {
+  return (bytes + limits.pageBytes - 1) / limits.pageBytes;
+}
+
 /// Pages of a source that can be bound at once. shaders/source.glsl has the same number.
 constexpr std::uint32_t kSourcePages = 8;
 

@@ -60,6 +60,8 @@ const char* fileName(Kernel kernel) {
       return "zip_numbers.comp.spv";
     case Kernel::zipHexagons:
       return "zip_hexagons.comp.spv";
+    case Kernel::zipTwins:
+      return "zip_twins.comp.spv";
     default:
       return nullptr;
   }

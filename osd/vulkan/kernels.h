@@ -31,9 +31,10 @@ enum class Kernel : std::uint32_t {
   zipPlaces,
   zipLoops,
   zipNumbers,
-  zipHexagons
+  zipHexagons,
+  zipTwins
 };
-constexpr std::uint32_t kKernelCount = 23;
+constexpr std::uint32_t kKernelCount = 24;
 
 /// How tiles write a point: see shaders/tile.glsl.
 enum class TilePlacing : std::uint32_t { numbers, whole, pairs, fours };

@@ -29,6 +29,7 @@ namespace {
 #include "shaders/zip_numbers.comp.h"
 #include "shaders/zip_places.comp.h"
 #include "shaders/zip_turns.comp.h"
+#include "shaders/zip_twins.comp.h"
 }  // namespace
 
 std::span<const std::uint32_t> kernelCode(Kernel kernel) {
@@ -77,6 +78,8 @@ std::span<const std::uint32_t> kernelCode(Kernel kernel) {
       return kZipNumbersComp;
     case Kernel::zipHexagons:
       return kZipHexagonsComp;
+    case Kernel::zipTwins:
+      return kZipTwinsComp;
     default:
       return kLimitsComp;
   }

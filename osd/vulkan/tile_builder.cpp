@@ -69,10 +69,6 @@ Result<Kernel> chooseKernel(const VulkanCore& core, TileScratch scratch, std::ui
   return shared ? Kernel::tileShared : Kernel::tileBuffer;
 }
 
-std::uint64_t pagesOf(std::uint64_t bytes, const VulkanLimits& limits) {
-  return (bytes + limits.pageBytes - 1) / limits.pageBytes;
-}
-
 /// Errors: invalidOption for normals that there aren't, at this level or of such points.
 Result<void> checkTileNormals(const Far::TileTable& tiles, const VulkanTableOptions& table,
                               const BufferDescriptor& normals) {

@@ -70,11 +70,13 @@ Result<void> checkDevice(const VulkanLimits& limits, const VulkanTopologyOptions
                     "once: lower VulkanTopologyOptions::most, or refine on the CPU (Far::refine)",
                     options.most.halfEdges, bytesOf(1), limits.pageBytes));
   }
-  const std::int32_t read = options.levels - 2;
-  if (read > 0 && bytesOf(read) > kSourcePages * limits.pageBytes) {
+  const std::int32_t read = options.links ? options.levels : options.levels - 2;
+  std::uint64_t pages = pagesOf(bytesOf(std::max(read, 0)), limits);
+  if (options.links) pages += pagesOf(bytesOf(read - 1), limits);
+  if (pages > kSourcePages) {
     return fail(ErrorCode::tooLarge,
-                fmt::format("level {} has {} bytes, of which this Vulkan device reads {} at once: lower "
-                            "VulkanTopologyOptions::levels, or refine on the CPU (Far::refine)",
+                fmt::format("level {} has {} bytes, this Vulkan device reads {} at once: lower "
+                            "VulkanTopologyOptions::levels, leave out links, or refine on the CPU (Far::refine)",
                             read, bytesOf(read), kSourcePages * limits.pageBytes));
   }
   Dispatch largest;
@@ -201,10 +203,20 @@ VulkanRange VulkanTopology::faceOffsets() const {
   return state_->passes.faceOffsets.range();
 }
 
+VulkanRange VulkanTopology::twin(std::int32_t level) const {
+  const TopologyLevel* const found = options().links ? state_->passes.level(level) : nullptr;
+  return found == nullptr ? VulkanRange{} : found->twin.range();
+}
+
+VulkanRange VulkanTopology::face() const {
+  return options().links ? state_->passes.face.range() : VulkanRange{};
+}
+
 std::uint64_t VulkanTopology::byteCount() const {
   const TopologyPasses& passes = state_->passes;
-  std::uint64_t bytes = passes.work.size() + passes.faceOffsets.size() + passes.status.size();
-  for (const TopologyLevel& level : passes.levels) bytes += level.vert.size() + level.parents.size();
+  std::uint64_t bytes = passes.work.size() + passes.faceOffsets.size() + passes.face.size() + passes.status.size();
+  for (const TopologyLevel& level : passes.levels)
+    bytes += level.vert.size() + level.parents.size() + level.twin.size();
   return bytes;
 }
 

@@ -32,6 +32,7 @@ struct VulkanTopologyOptions {
   MeshCounts most{};              ///< of the control mesh
   std::int32_t levels = 1;        ///< 1 or more
   std::int32_t maxValence = 255;  ///< of a control vertex; each factor of 16 costs a pass of a sort, of the vertices
+  bool links = false;             ///< twins and faces of half-edges as well
 };
 
 /// The zip split on the device: from the half-edges of a closed control mesh, in buffers of the caller, those of every
@@ -47,12 +48,15 @@ struct VulkanTopologyOptions {
 ///                    longer by the faces that it adds: level k's are the first zipCounts(control, k).faces + 1 numbers
 ///     parents(k)     per face: the face of the level before that it was made from, of the last
 ///                    zipCounts(control, k - 1).vertices of them the vertex
+///     twin(k)        with links, per half-edge: the one the other way
+///     face()         with links, per half-edge: its face. One buffer for all levels, as faceOffsets()
 ///
 /// Faces made from the control mesh's vertices are sorted by valence (level 1), everything else follows from its number
 /// alone: O(1) an entry, O(n) for a control vertex of valence n, O(log F) for a half-edge of level 1.
 ///
-/// Memory: 4 bytes an entry of the arrays above, and about 36 a half-edge of the control mesh. A level's vert may pass
-/// maxStorageBufferRange, by 8 times in levels that are refined.
+/// Memory: 4 bytes an entry of the arrays above, and about 36 a half-edge of the control mesh. A level's arrays
+/// may pass maxStorageBufferRange; what is read at random places (vert of levels up to the last but one before the
+/// last; with links, that of the last two) by 8 times.
 ///
 /// Belongs to one thread at a time, and must outlive the execution of what was recorded with it; for frames in flight
 /// make one for each. Copies of the evaluator it was made from share its pipelines.
@@ -94,6 +98,9 @@ class VulkanTopology {
   /// are of the largest mesh there is room for; nothing for another level.
   VulkanRange vert(std::int32_t level) const;
   VulkanRange parents(std::int32_t level) const;
+  /// Nothing without options().links.
+  VulkanRange twin(std::int32_t level) const;
+  VulkanRange face() const;
   /// Of all levels.
   VulkanRange faceOffsets() const;
   /// Bytes of device memory it takes.

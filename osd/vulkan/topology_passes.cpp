@@ -13,7 +13,7 @@ constexpr std::uint64_t kNumber = sizeof(std::uint32_t);
 
 /// What a set binds: pages of one buffer, and a range for each slot from binding 1; size 0: nothing.
 struct BoundKernel {
-  VulkanRange paged;
+  VulkanRange paged, pagedToo;  ///< the second behind the first
   std::array<VulkanRange, kSlotCount> slots{};
 };
 
@@ -45,7 +45,7 @@ class PassBuilder {
  private:
   /// Sections of the work buffer, in bytes.
   struct Work {
-    VulkanRange face, corner, around, defects, outgoing, valence, place, counts, countPlaces, cornersBefore;
+    VulkanRange corner, around, defects, outgoing, valence, place, counts, countPlaces, cornersBefore;
     std::array<VulkanRange, 2> keys, order;
     std::vector<VulkanRange> least, sums, before;  ///< of pieces, of pieces of pieces, ...
   };
@@ -75,9 +75,9 @@ class PassBuilder {
   void bindControl();
   void bindSort();
   void bindLevels();
-  std::uint32_t bind(std::initializer_list<VulkanRange> slots, VulkanRange paged = {});
+  std::uint32_t bind(std::initializer_list<VulkanRange> slots, VulkanRange paged = {}, VulkanRange pagedToo = {});
   TopologyChain bindScan(VulkanRange numbers, VulkanRange scanned);
-  TopologyWindows bindWindows(const VulkanBuffer& target, VulkanRange paged, bool level);
+  TopologyWindows bindWindows(const VulkanBuffer& target, VulkanRange paged = {}, VulkanRange pagedToo = {});
   Result<void> makeSets();
   void writeSet(VkDescriptorSet set, const BoundKernel& kernel) const;
   VkDescriptorBufferInfo infoOf(const VulkanRange& range) const;
@@ -107,17 +107,24 @@ Result<void> PassBuilder::makeLevels() {
     auto parents = makeArray(static_cast<std::uint64_t>(counts.faces));
     if (!parents) return tl::unexpected(parents.error());
     level.parents = std::move(*parents);
+    if (!passes_.options.links) continue;
+    auto twin = makeArray(static_cast<std::uint64_t>(counts.halfEdges));
+    if (!twin) return tl::unexpected(twin.error());
+    level.twin = std::move(*twin);
   }
   auto offsets = makeArray(static_cast<std::uint64_t>(zipCounts(most, passes_.options.levels).faces) + 1);
   if (!offsets) return tl::unexpected(offsets.error());
   passes_.faceOffsets = std::move(*offsets);
+  const std::int32_t faced = passes_.options.links ? passes_.options.levels : 1;
+  auto face = makeArray(static_cast<std::uint64_t>(zipCounts(most, faced).halfEdges));
+  if (!face) return tl::unexpected(face.error());
+  passes_.face = std::move(*face);
   return {};
 }
 
 Result<void> PassBuilder::makeWork() {
   const std::uint64_t counts = digitCounts(static_cast<std::uint32_t>(vertices_));
-  work_ = {.face = section(3 * halfEdges_),
-           .corner = section(halfEdges_),
+  work_ = {.corner = section(halfEdges_),
            .around = section(halfEdges_),
            .defects = section(2 * halfEdges_),
            .outgoing = section(vertices_),
@@ -151,9 +158,10 @@ VkDescriptorBufferInfo PassBuilder::infoOf(const VulkanRange& range) const {
   return {buffer, range.offset, std::min(page, range.size)};
 }
 
-std::uint32_t PassBuilder::bind(std::initializer_list<VulkanRange> slots, VulkanRange paged) {
+std::uint32_t PassBuilder::bind(std::initializer_list<VulkanRange> slots, VulkanRange paged, VulkanRange pagedToo) {
   BoundKernel& kernel = bound_.emplace_back();
   kernel.paged = paged;
+  kernel.pagedToo = pagedToo;
   std::ranges::copy(slots, kernel.slots.begin());
   return static_cast<std::uint32_t>(bound_.size() - 1);
 }
@@ -161,10 +169,11 @@ std::uint32_t PassBuilder::bind(std::initializer_list<VulkanRange> slots, Vulkan
 void PassBuilder::bindControl() {
   const VulkanRange offsets = passes_.faceOffsets.range();
   const VulkanRange complete{passes_.status.handle(), passes_.statusComplete, kNumber};
-  passes_.controlFaces = bind({mesh_.faceOffsets, work_.face, offsets, work_.valence, complete, work_.outgoing});
+  passes_.controlFaces =
+      bind({mesh_.faceOffsets, passes_.face.range(), offsets, work_.valence, complete, work_.outgoing});
   // What isn't written: by this one, beyond the half-edges' faces, that alone.
-  passes_.levelFaces = bind({offsets, work_.face, work_.keys[0], work_.keys[0], complete, work_.keys[0]});
-  passes_.around = bind({mesh_.vert, mesh_.twin, mesh_.faceOffsets, work_.face, work_.around, work_.defects});
+  passes_.levelFaces = bind({offsets, passes_.face.range(), work_.keys[0], work_.keys[0], complete, work_.keys[0]});
+  passes_.around = bind({mesh_.vert, mesh_.twin, mesh_.faceOffsets, passes_.face.range(), work_.around, work_.defects});
   passes_.turns = bind({mesh_.vert, work_.around, work_.outgoing, work_.valence, work_.defects});
   std::vector<VulkanRange> chain{work_.defects};
   chain.insert(chain.end(), work_.least.begin(), work_.least.end());
@@ -210,25 +219,32 @@ void PassBuilder::bindSort() {
   passes_.loops = bind({work_.outgoing, work_.around, work_.place, mesh_.twin, first.vert.range(), work_.corner});
 }
 
-TopologyWindows PassBuilder::bindWindows(const VulkanBuffer& target, VulkanRange paged, bool level) {
+TopologyWindows PassBuilder::bindWindows(const VulkanBuffer& target, VulkanRange paged, VulkanRange pagedToo) {
   const std::uint64_t page = passes_.core->limits.pageBytes;
   const TopologyWindows windows{static_cast<std::uint32_t>(bound_.size()), target.size() / kNumber};
-  const VulkanRange face = level ? work_.face : VulkanRange{};
-  const VulkanRange offsets = level ? passes_.faceOffsets.range() : VulkanRange{};
+  // Of what follows from where it stands nothing is read.
+  const VulkanRange face = paged.size > 0 ? passes_.face.range() : VulkanRange{};
+  const VulkanRange offsets = paged.size > 0 ? passes_.faceOffsets.range() : VulkanRange{};
   for (std::uint64_t begin = 0; begin < target.size(); begin += page) {
-    bind({face, offsets, {target.handle(), begin, std::min(page, target.size() - begin)}}, paged);
+    bind({face, offsets, {target.handle(), begin, std::min(page, target.size() - begin)}}, paged, pagedToo);
   }
   return windows;
 }
 
 void PassBuilder::bindLevels() {
+  // Where C stands follows from vert of the level before; of the control mesh it was stored. Level k + 1 is made by
+  // that of level k, the twins of level k + 1 are found by its own.
+  const auto before = [this](std::size_t k) { return k == 0 ? work_.corner : passes_.levels[k - 1].vert.range(); };
   for (std::size_t k = 0; k < passes_.levels.size(); ++k) {
-    // Level k + 1: where C stands follows from vert of level k - 1, of the control mesh it was stored.
-    VulkanRange paged = k < 2 ? work_.corner : passes_.levels[k - 2].vert.range();
-    passes_.levels[k].vertWindows = bindWindows(passes_.levels[k].vert, paged, k > 0);
-    passes_.levels[k].parentWindows = bindWindows(passes_.levels[k].parents, {}, false);
+    TopologyLevel& level = passes_.levels[k];
+    level.vertWindows = bindWindows(level.vert, k == 0 ? VulkanRange{} : before(k - 1));
+    level.parentWindows = bindWindows(level.parents);
+    if (!passes_.options.links) continue;
+    level.vertPage = static_cast<std::uint32_t>(pagesOf(before(k).size, passes_.core->limits));
+    level.twinWindows = bindWindows(level.twin, before(k), level.vert.range());
   }
-  passes_.offsetWindows = bindWindows(passes_.faceOffsets, {}, false);
+  passes_.offsetWindows = bindWindows(passes_.faceOffsets);
+  passes_.faceWindows = bindWindows(passes_.face);
 }
 
 Result<void> PassBuilder::makeSets() {
@@ -243,10 +259,15 @@ Result<void> PassBuilder::makeSets() {
 void PassBuilder::writeSet(VkDescriptorSet set, const BoundKernel& kernel) const {
   const std::uint64_t page = passes_.core->limits.pageBytes;
   std::array<VkDescriptorBufferInfo, kSourcePages + kSlotCount> buffers{};
+  const std::uint64_t second = pagesOf(kernel.paged.size, passes_.core->limits);
   for (std::uint32_t i = 0; i < kSourcePages; ++i) {
-    VulkanRange range = kernel.paged;
+    VulkanRange range = i < second ? kernel.paged : kernel.pagedToo;
+    const std::uint64_t begin = (i < second ? i : i - second) * page;
     // Pages behind the last are bound to the first.
-    const std::uint64_t begin = i * page < range.size ? i * page : 0;
+    if (begin >= range.size) {
+      buffers[i] = infoOf(kernel.paged);
+      continue;
+    }
     range.offset += begin;
     range.size -= begin;
     buffers[i] = infoOf(range);
@@ -266,12 +287,13 @@ void PassBuilder::writeSet(VkDescriptorSet set, const BoundKernel& kernel) const
 }
 
 Result<void> PassBuilder::compile() {
-  const std::uint64_t page = passes_.core->limits.pageNumbers();
   Specialization specialization;
-  const auto largest = static_cast<std::uint64_t>(zipCounts(passes_.options.most, passes_.options.levels).halfEdges);
-  // Read at random places are levels up to the last but one of all.
-  if (largest / 9 > page) specialization.pageShift = static_cast<std::uint32_t>(std::bit_width(page) - 1);
+  const auto shift = static_cast<std::uint32_t>(std::bit_width(passes_.core->limits.pageNumbers()) - 1);
+  // Without links, what is read at random places are the levels up to the last but one before the last.
+  const auto last = static_cast<std::uint64_t>(zipCounts(passes_.options.most, passes_.options.levels).halfEdges);
+  if (passes_.options.links || last / 9 > passes_.core->limits.pageNumbers()) specialization.pageShift = shift;
   for (auto k = static_cast<std::uint32_t>(Kernel::zipFaceOf); k < kKernelCount; ++k) {
+    if (static_cast<Kernel>(k) == Kernel::zipTwins && !passes_.options.links) continue;
     const auto pipeline = passes_.pipelines->get(static_cast<Kernel>(k), specialization);
     if (!pipeline) return tl::unexpected(pipeline.error());
     passes_.compiled[k] = *pipeline;

@@ -56,8 +56,9 @@ struct TopologyWindows {
 
 /// The arrays of one level.
 struct TopologyLevel {
-  VulkanBuffer vert, parents;
-  TopologyWindows vertWindows, parentWindows;
+  VulkanBuffer vert, parents, twin;
+  TopologyWindows vertWindows, parentWindows, twinWindows;
+  std::uint32_t vertPage = 0;  ///< of the pages that twins are found with, the first of vert
 };
 
 /// All that recording needs: buffers, pipelines, descriptor sets. Immutable, but for what the device writes.
@@ -68,6 +69,7 @@ struct TopologyPasses {
   VulkanTopologyOptions options;
   VulkanBuffer work;         ///< what is kept from one kernel to the next
   VulkanBuffer faceOffsets;  ///< of the last level
+  VulkanBuffer face;         ///< of the last level with links, else of level 1
   VulkanBuffer status;       ///< the least defect and, so many bytes from it, whether level 1 is complete
   std::uint64_t statusComplete = 0;
   std::vector<TopologyLevel> levels;  ///< from level 1
@@ -76,7 +78,7 @@ struct TopologyPasses {
   std::uint32_t sortCounts = 0, sortPlaces = 0;                                                  ///< one a digit
   std::uint32_t digits = 1;
   TopologyChain least, countScan, keyScan;
-  TopologyWindows offsetWindows;
+  TopologyWindows offsetWindows, faceWindows;
 
   /// Errors: outOfMemory, deviceLost.
   static Result<TopologyPasses> create(const VulkanEvaluator& evaluator, const VulkanControlMesh& mesh,

@@ -16,7 +16,6 @@ class PassRecorder {
     push_.vertices = static_cast<std::uint32_t>(control.vertices);
     push_.faces = static_cast<std::uint32_t>(control.faces);
     push_.halfEdges = static_cast<std::uint32_t>(control.halfEdges);
-    push_.most = static_cast<std::uint32_t>(passes.options.maxValence);
   }
 
   void all() {
@@ -24,6 +23,7 @@ class PassRecorder {
     faces(passes_.controlFaces, 0, push_.halfEdges, 1);
     for (std::int32_t k = 1; k <= passes_.options.levels; ++k) knownNumbers(k);
     barrier();
+    push_.most = static_cast<std::uint32_t>(passes_.options.maxValence);
     step(Kernel::zipAround, passes_.around, push_.halfEdges);
     step(Kernel::zipTurns, passes_.turns, push_.halfEdges);
     findLeastDefect();
@@ -35,6 +35,10 @@ class PassRecorder {
     for (std::int32_t k = 2; k <= passes_.options.levels; ++k) {
       if (k % 2 == 0) barrier();
       hexagons(k);
+    }
+    if (passes_.options.links) {
+      barrier();
+      for (std::int32_t k = 1; k <= passes_.options.levels; ++k) twins(k);
     }
     const VkPipelineStageFlags readers = VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_HOST_BIT;
     const VkAccessFlags reads = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_HOST_READ_BIT;
@@ -90,16 +94,26 @@ class PassRecorder {
     }
   }
 
-  /// Numbers begin .. end - 1 of a buffer: `value` and `step` more each.
-  void numbers(const TopologyWindows& windows, std::int64_t begin, std::int64_t end, std::int64_t value,
-               std::uint32_t step) {
-    const auto from = static_cast<std::uint64_t>(begin);
-    forWindows(windows, from, static_cast<std::uint64_t>(end),
+  /// What numbers begin .. end - 1 of a buffer are to be: `each` times `value`, then `each` times `step` more, and so
+  /// on.
+  struct Ramp {
+    std::int32_t value = 0;
+    std::uint32_t step = 1, each = 1;
+  };
+  void numbers(const TopologyWindows& windows, std::int64_t begin, std::int64_t end, const Ramp& ramp) {
+    push_.parents = static_cast<std::uint32_t>(begin);
+    push_.value = static_cast<std::uint32_t>(ramp.value);
+    push_.shift = ramp.step;
+    push_.most = ramp.each;
+    forNumbers(Kernel::zipNumbers, windows, begin, end);
+  }
+
+  /// Runs a kernel for each of the numbers begin .. end - 1 of a buffer.
+  void forNumbers(Kernel kernel, const TopologyWindows& windows, std::int64_t begin, std::int64_t end) {
+    forWindows(windows, static_cast<std::uint64_t>(begin), static_cast<std::uint64_t>(end),
                [&](std::uint32_t set, std::uint64_t first, std::uint64_t last) {
                  push_.first = static_cast<std::uint32_t>(first);
-                 push_.value = static_cast<std::uint32_t>(static_cast<std::uint64_t>(value) + (first - from) * step);
-                 push_.shift = step;
-                 run(Kernel::zipNumbers, set, static_cast<std::uint32_t>(last - first));
+                 run(kernel, set, static_cast<std::uint32_t>(last - first));
                });
   }
 
@@ -107,13 +121,22 @@ class PassRecorder {
   void knownNumbers(std::int32_t k) {
     const TopologyLevel& level = passes_.levels[static_cast<std::size_t>(k - 1)];
     const MeshCounts before = zipCounts(control_, k - 1), counts = zipCounts(control_, k);
-    numbers(level.vertWindows, 0, counts.vertices, 0, 1);
-    numbers(level.parentWindows, 0, before.faces, 0, 1);
+    numbers(level.vertWindows, 0, counts.vertices, {});
+    numbers(level.parentWindows, 0, before.faces, {});
     if (k == 1) return;
-    numbers(level.parentWindows, before.faces, counts.faces, 0, 1);
+    numbers(level.parentWindows, before.faces, counts.faces, {});
     // The first of these faces begins where the last one before it ends, which is there.
     numbers(passes_.offsetWindows, std::int64_t{before.faces} + 1, std::int64_t{counts.faces} + 1,
-            std::int64_t{before.halfEdges} + 6, 6);
+            {.value = before.halfEdges + 6, .step = 6});
+    if (!passes_.options.links) return;
+    numbers(passes_.faceWindows, before.halfEdges, counts.halfEdges, {.value = before.faces, .each = 6});
+  }
+
+  void twins(std::int32_t k) {
+    const TopologyLevel& level = passes_.levels[static_cast<std::size_t>(k - 1)];
+    push_.parents = static_cast<std::uint32_t>(zipCounts(control_, k - 1).halfEdges);
+    push_.value = level.vertPage;
+    forNumbers(Kernel::zipTwins, level.twinWindows, 0, zipCounts(control_, k).halfEdges);
   }
 
   void pieces(Kernel kernel, std::uint32_t set, std::uint32_t numbers) {

@@ -137,11 +137,15 @@ void compare(Refiner& refiner, const Meshes::PolyMesh& mesh) {
     expectSame(level.vert(), refiner.read(topology.vert(k), counts.halfEdges), "vert", k);
     expectSame(level.outgoing(), refiner.read(topology.vert(k), counts.vertices), "outgoing", k);
     expectSame(level.parents(), refiner.read(topology.parents(k), counts.faces), "parents", k);
+    if (topology.options().links) {
+      expectSame(level.twin(), refiner.read(topology.twin(k), counts.halfEdges), "twin", k);
+      expectSame(level.face(), refiner.read(topology.face(), counts.halfEdges), "face", k);
+    }
     expectSame(level.faceOffsets(), refiner.read(topology.faceOffsets(), counts.faces + 1), "faceOffsets", k);
   }
 }
 
-constexpr Osd::VulkanTopologyOptions kRoom{.most = {700, 700, 2500}, .levels = 4, .maxValence = 300};
+constexpr Osd::VulkanTopologyOptions kRoom{.most = {700, 700, 2500}, .levels = 4, .maxValence = 300, .links = true};
 
 class TopologyTest : public VulkanTest {
  protected:
@@ -176,6 +180,10 @@ TEST_F(TopologyTest, LevelsOfSeveralPagesInSmallDispatches) {
                                 {.maxStorageBufferRange = 8192, .maxWorkgroupsInRow = 2});
   compare(refiner, Meshes::torus(12, 10));
   compare(refiner, Meshes::prism(60));
+  // Twins are found by vert of levels 1 and 2, in 1 and 3 pages.
+  Refiner linked = makeRefiner({.most = control.counts, .levels = 2, .links = true},
+                               {.maxStorageBufferRange = 8192, .maxWorkgroupsInRow = 2});
+  compare(linked, Meshes::torus(12, 10));
 }
 
 TEST_F(TopologyTest, InMemoryThatIsNotShared) {
