@@ -9,8 +9,12 @@
 
 layout(set = 0, binding = 3) restrict writeonly buffer Target { uint target[]; };
 
-// vert of the level itself: the pages from push.value on.
-uint vertexOf(uint h) { return sourceNumber((push.value << kPageShift) + min(h, 3u * push.parents - 1u)); }
+// vert of the level itself: the pages from push.value on, or page 1 where each level is one page.
+uint vertexOf(uint h) {
+  const uint n = min(h, 3u * push.parents - 1u);
+  if (kPageShift == 0u) return source[1].values[n];
+  return sourceNumber((push.value << kPageShift) + n);
+}
 
 uint twinOf(uint h) {
   if (h < push.parents) return cornerOf(nextOf(h));

@@ -289,9 +289,10 @@ void PassBuilder::writeSet(VkDescriptorSet set, const BoundKernel& kernel) const
 Result<void> PassBuilder::compile() {
   Specialization specialization;
   const auto shift = static_cast<std::uint32_t>(std::bit_width(passes_.core->limits.pageNumbers()) - 1);
-  // Without links, what is read at random places are the levels up to the last but one before the last.
+  // Read at random places are, without links, the levels up to the last but one before the last.
   const auto last = static_cast<std::uint64_t>(zipCounts(passes_.options.most, passes_.options.levels).halfEdges);
-  if (passes_.options.links || last / 9 > passes_.core->limits.pageNumbers()) specialization.pageShift = shift;
+  const std::uint64_t read = passes_.options.links ? last : last / 9;
+  if (read > passes_.core->limits.pageNumbers()) specialization.pageShift = shift;
   for (auto k = static_cast<std::uint32_t>(Kernel::zipFaceOf); k < kKernelCount; ++k) {
     if (static_cast<Kernel>(k) == Kernel::zipTwins && !passes_.options.links) continue;
     const auto pipeline = passes_.pipelines->get(static_cast<Kernel>(k), specialization);

@@ -98,7 +98,7 @@ class PassRecorder {
   /// on.
   struct Ramp {
     std::int32_t value = 0;
-    std::uint32_t step = 1, each = 1;
+    std::uint32_t step = 1, each = 1;  // 1 or 6
   };
   void numbers(const TopologyWindows& windows, std::int64_t begin, std::int64_t end, const Ramp& ramp) {
     push_.parents = static_cast<std::uint32_t>(begin);
