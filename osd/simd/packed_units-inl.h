@@ -37,6 +37,7 @@ template <>
 constexpr int kPackedFaces<6> = 8;
 template <>
 constexpr int kPackedFaces<8> = 4;
+static_assert(3 * 6 * kPackedFaces<6> <= 4 * Far::kLargestCirculant, "Stream's room");
 
 /// Makes the blocks of four vectors unit and writes them to p, 48 numbers.
 template <class D>
