@@ -37,6 +37,8 @@ struct FaceVaryingLevel {
 ///   - Values whose length isn't 2, and charts without area, can't be continued so. There the corner takes the value
 ///   that
 ///     the chart has at the vertex itself (at the nearer end of the edge), which adds nothing that wasn't there.
+///   - What reads all corners of a face of more than kLargestCirculant sides is carried over as that face's own point,
+///   and clamped as a whole: rows beside such a face have few entries.
 ///   - Where a crease on or beside a seam grows together, the few points that can't be seen from a chart over one
 ///   vertex
 ///     take its value there too.
@@ -45,9 +47,10 @@ struct FaceVaryingLevel {
 /// Without a seam the tables are those of the refinement: the same bits as a primvar of the vertices.
 class FaceVarying {
  public:
-  /// Linear in the refinement, and at a vertex on a seam quadratic in its valence. Corners of a vertex with equal
-  /// values are taken for one value. Errors: invalidOption, naming face and corner (counted from 0), for a corner whose
-  /// value doesn't exist; for values that aren't finite, a length below 1 or spans of the wrong size.
+  /// Linear in the refinement, however large its faces, and at a vertex on a seam quadratic in its valence. Corners of
+  /// a vertex with equal values are taken for one value. Errors: invalidOption, naming face and corner (counted from
+  /// 0), for a corner whose value doesn't exist; for values that aren't finite, a length below 1 or spans of the wrong
+  /// size.
   static Result<FaceVarying> build(const Refinement& refinement, const FaceVaryingChannel& channel);
 
   std::int32_t levelCount() const { return static_cast<std::int32_t>(levels_.size()) - 1; }

@@ -5,9 +5,11 @@
 
 #include "far/base/index.h"
 #include "far/base/parallel.h"
-#include "far/tables/level_rows.h"
+#include "far/tables/chart_rows.h"
 #include "far/tables/level_values.h"
+#include "far/tables/replaced_rows.h"
 #include "far/tables/row_writer.h"
+#include "far/tables/summed_row_writer.h"
 
 namespace honeycomb::Far {
 
@@ -18,16 +20,6 @@ bool sameRow(const Row& a, const Row& b) {
                     [](const Weight& x, const Weight& y) { return x.point == y.point && x.weight == y.weight; });
 }
 
-/// A face of the child: the parent face in whose chart its corners are, and the parent's vertices round which other
-/// faces are looked for, by the half-edges that leave them in that face.
-struct Cell {
-  std::int32_t chart = 0;
-  FaceParent made = FaceParent::face;
-  std::array<std::int32_t, 2> pivots{-1, -1};
-  std::size_t pivotCount = 0;
-  std::span<const std::int32_t> known() const { return std::span(pivots).first(pivotCount); }
-};
-
 class LevelBuilder {
  public:
   LevelBuilder(const Level& parent, const Level& child, const Charts& charts, std::int32_t sourceCount)
@@ -35,8 +27,7 @@ class LevelBuilder {
         old_(parent.topology),
         new_(child.topology),
         charts_(charts),
-        rows_(child.table),
-        faceOfInput_(inputFaces(parent)) {
+        rows_(child.table, charts, inputFaces(parent), sourceCount) {
     findPrimaries();
     level_.table.sourceCount = sourceCount;
   }
@@ -49,7 +40,6 @@ class LevelBuilder {
       if (charts_.planar()) values_ = applyTable(level_.table, values, 2);
       addExtras();
     }
-    level_.table.targetCount = level_.valueCount;
     level_.table.weightsSingle.assign(level_.table.weights.begin(), level_.table.weights.end());
     if (charts_.hasSeams()) values = applyTable(level_.table, values, length);
     return std::move(level_);
@@ -64,8 +54,8 @@ class LevelBuilder {
     return faces;
   }
 
-  Cell cellOf(std::int32_t f) const {
-    Cell cell;
+  ChartCell cellOf(std::int32_t f) const {
+    ChartCell cell;
     const std::int32_t element = new_.parents()[at(f)];
     cell.made = new_.parentKind(f);
     cell.chart = element;
@@ -96,29 +86,10 @@ class LevelBuilder {
     });
   }
 
-  bool hasFaceRow(std::int32_t point) const {
-    const LevelRows::Kind kind = rows_.place(point).kind;
-    return kind == LevelRows::Kind::circulant || kind == LevelRows::Kind::projected;
-  }
-
   /// The parent's face that vertex v lies in and in whose chart its own value is; -1 if it lies in none.
   std::int32_t home(std::int32_t v) const {
     const std::int32_t f = new_.face(primary_[at(v)]);
     return new_.parentKind(f) == FaceParent::face ? new_.parents()[at(f)] : -1;
-  }
-
-  /// Is point `point` of the child made of corners of a face of the parent, and its central control vertex, alone?
-  bool liesIn(std::int32_t point, std::int32_t face) const {
-    bool inside = true;
-    rows_.visit(point, [&](std::int32_t p, double) {
-      inside = inside && (p < old_.vertexCount() ? charts_.cornerOf(p, face) >= 0 : centralFace(p) == face);
-    });
-    return inside;
-  }
-
-  std::int32_t centralFace(std::int32_t point) const {
-    const std::int32_t f = point - old_.vertexCount();
-    return faceOfInput_.empty() ? f : faceOfInput_[at(f)];
   }
 
   // Rows
@@ -136,22 +107,35 @@ class LevelBuilder {
       table.circulants.push_back(batch);
       covered.insert(covered.end(), {batch.firstOutput, batch.firstOutput + batch.faceCount * batch.sides});
     }
-    for (ProjectedFace face : old.projected) {
-      if (face.outputs == 0) continue;
+    for (std::size_t i = 0; i < old.projected.size(); ++i) {
+      ProjectedFace face = old.projected[i];
       face.firstIndex = addCorners(face.firstIndex, face.firstOutput, 1, face.corners, face.outputs);
       if (face.firstIndex < 0) continue;
+      rows_.sums().name(i, cellOf(new_.face(primary_[at(face.firstOutput)])).chart,
+                        static_cast<std::int32_t>(table.projected.size()), table.indices.data() + face.firstIndex);
       table.projected.push_back(face);
-      covered.insert(covered.end(), {face.firstOutput, face.firstOutput + face.outputs});
+      if (face.outputs > 0) covered.insert(covered.end(), {face.firstOutput, face.firstOutput + face.outputs});
     }
     table.targetCount = child_.pointCount();
     covered.insert(covered.end(), {0, child_.pointCount()});
     std::sort(covered.begin(), covered.end());  // ranges don't overlap: now the gaps between them, in pairs
     RowWriter writer(table);
-    for (std::size_t i = 0; i < covered.size(); i += 2) {
-      writer.add(covered[i], covered[i + 1] - covered[i],
-                 [&](std::int64_t j, Row& row) { row = primaryRow(covered[i] + static_cast<std::int32_t>(j)); });
-    }
+    SummedRowWriter summed(table);
+    for (std::size_t i = 0; i < covered.size(); i += 2) addGap(covered[i], covered[i + 1], writer, summed);
+    summed.finish();
     writer.finish();
+  }
+
+  /// The rows of points first .. end - 1, of which those that were summed ones still are.
+  void addGap(std::int32_t first, std::int32_t end, RowWriter& writer, SummedRowWriter& summed) const {
+    const auto isSummed = [&](std::int32_t point) { return rows_.rows().place(point).kind == LevelRows::Kind::summed; };
+    while (first < end) {
+      std::int32_t last = first + 1;
+      while (last < end && isSummed(last) == isSummed(first)) ++last;
+      const auto makeRow = [&](std::int64_t j, Row& row) { row = primaryRow(first + static_cast<std::int32_t>(j)); };
+      isSummed(first) ? summed.add(first, last - first, makeRow) : writer.add(first, last - first, makeRow);
+      first = last;
+    }
   }
 
   /// Where the weights of the batches of faces end.
@@ -161,7 +145,7 @@ class LevelBuilder {
       end = std::max({end, b.firstRow + b.sides, b.firstForm + b.formWeights()});
     }
     for (const ProjectedFace& f : table.projected) {
-      if (f.outputs > 0) end = std::max(end, f.firstWeight + 2 + 3 * f.corners + 3 * f.outputs);
+      end = std::max(end, f.firstWeight + 2 + (f.outputs > 0 ? 3 : 1) * f.corners + 3 * f.outputs);
     }
     return end;
   }
@@ -199,95 +183,7 @@ class LevelBuilder {
 
   Row primaryRow(std::int32_t point) const {
     const bool vertex = point < new_.vertexCount();
-    return rowIn(point, cellOf(vertex ? new_.face(primary_[at(point)]) : point - new_.vertexCount()));
-  }
-
-  /// Point `point` in the chart of a cell, point by point of its stencil.
-  Row rowIn(std::int32_t point, const Cell& cell) const {
-    const std::vector<std::int32_t> pivots = charts_.hasSeams() ? pivotsOf(point, cell) : std::vector<std::int32_t>();
-    Charts::ChartRow row;
-    bool whole = true;
-    rows_.visit(point, [&](std::int32_t p, double w) { whole = addSource(p, w, cell.chart, pivots, row) && whole; });
-    if (whole && charts_.close(cell.chart, row)) return std::move(row.row);
-    return clampedRow(point, cell.chart, pivots);
-  }
-
-  /// The half-edges in the cell's chart round whose vertices its stencil may reach into other faces.
-  std::vector<std::int32_t> pivotsOf(std::int32_t point, const Cell& cell) const {
-    if (cell.pivotCount > 0) return {cell.known().begin(), cell.known().end()};
-    std::vector<std::int32_t> pivots;
-    bool outside = false;
-    rows_.visit(point, [&](std::int32_t p, double) {
-      const std::int32_t c = p < old_.vertexCount() ? charts_.cornerOf(p, cell.chart) : -1;
-      if (c >= 0) {
-        pivots.push_back(c);
-      } else {
-        outside = true;
-      }
-    });
-    if (!outside) return {};
-    // Where two halves of a face grow together, the other is seen over the cut.
-    const std::int32_t first = old_.faceOffsets()[at(cell.chart)];
-    for (std::int32_t h = first; h < first + old_.sides(cell.chart); ++h) {
-      if (old_.onBoundary(old_.vert(h))) pivots.push_back(h);
-    }
-    if (pivots.empty()) pivots.push_back(first);
-    return pivots;
-  }
-
-  /// Adds weight times a source point; false when it can't be seen from the chart.
-  bool addSource(std::int32_t p, double weight, std::int32_t chart, std::span<const std::int32_t> pivots,
-                 Charts::ChartRow& row) const {
-    if (p >= old_.vertexCount()) return addCentral(centralFace(p), weight, chart, pivots, row);
-    Charts::Place place;
-    place.corner = charts_.hasSeams() ? charts_.cornerOf(p, chart) : old_.outgoing(p);
-    if (place.corner >= 0) {
-      place.face = chart;
-    } else {
-      place = charts_.findVertex(p, pivots);
-    }
-    return charts_.add(place, weight, row);
-  }
-
-  bool addCentral(std::int32_t f, double weight, std::int32_t chart, std::span<const std::int32_t> pivots,
-                  Charts::ChartRow& row) const {
-    Charts::Place place;
-    place.face = f;
-    if (f != chart && charts_.hasSeams()) place = charts_.findFace(f, pivots);
-    if (place.face < 0) return false;
-    if (charts_.hasCentral()) {
-      if (!place.plain) return charts_.planar() && charts_.add(place, charts_.value(charts_.central(f)), weight, row);
-      row.row.push_back({charts_.central(f), weight});
-      return true;
-    }
-    // Central control vertices of level 0 have no value of their own: the barycentre's is theirs.
-    bool whole = true;
-    for (const std::int32_t h : old_.halfEdgesOf(f)) {
-      place.corner = h;
-      whole = charts_.add(place, weight / old_.sides(f), row) && whole;
-    }
-    return whole;
-  }
-
-  /// What can't be continued takes the chart's value at the pivot that weighs most in the stencil.
-  Row clampedRow(std::int32_t point, std::int32_t chart, std::span<const std::int32_t> pivots) const {
-    std::vector<double> weights(pivots.size());
-    rows_.visit(point, [&](std::int32_t p, double w) {
-      for (std::size_t i = 0; i < pivots.size(); ++i) weights[i] += p == old_.vert(pivots[i]) ? w : 0;
-    });
-    const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-    const std::int32_t held = charts_.corner(pivots[at(heaviest)]);
-    Row row;
-    rows_.visit(point, [&](std::int32_t p, double w) {
-      Charts::ChartRow entries;
-      if (addSource(p, w, chart, pivots, entries) && entries.weight == 0) {
-        row.insert(row.end(), entries.row.begin(), entries.row.end());
-      } else {
-        row.push_back({held, w});
-      }
-    });
-    mergeEntries(row);
-    return row;
+    return rows_.rowIn(point, cellOf(vertex ? new_.face(primary_[at(point)]) : point - new_.vertexCount()));
   }
 
   // Values that a vertex has in further charts
@@ -308,7 +204,10 @@ class LevelBuilder {
     Parallel::forEach(
         0, static_cast<std::int64_t>(vertices.size()),
         [&](std::int64_t i) { extras[at(i)] = extrasOf(vertices[at(i)]); }, 64);
-    for (const Extras& extra : extras) append(extra);
+    RowChanges further;
+    for (Extras& extra : extras) append(extra, further);
+    level_.table.targetCount = level_.valueCount;
+    replaceRows(level_.table, further);
   }
 
   bool onSeam(std::int32_t v) const {
@@ -321,12 +220,12 @@ class LevelBuilder {
   Extras extrasOf(std::int32_t v) const {
     Extras extras;
     const std::int32_t homeFace = home(v);
-    const Cell own = cellOf(new_.face(primary_[at(v)]));
-    const Row ownRow = hasFaceRow(v) ? Row() : primaryRow(v);
+    const ChartCell own = cellOf(new_.face(primary_[at(v)]));
+    const Row ownRow = rows_.hasFaceRow(v) ? Row() : primaryRow(v);
     for (const std::int32_t h : new_.halfEdgesFrom(v)) {
-      const Cell cell = cellOf(new_.face(h));
+      const ChartCell cell = cellOf(new_.face(h));
       if (cell.chart == own.chart) continue;
-      std::optional<Row> row = homeFace >= 0 ? carriedRow(v, homeFace, cell, ownRow) : rowIn(v, cell);
+      std::optional<Row> row = homeFace >= 0 ? carriedRow(v, homeFace, cell, ownRow) : rows_.rowIn(v, cell);
       if (!row || sameRow(*row, ownRow)) continue;
       const auto known =
           std::find_if(extras.rows.begin(), extras.rows.end(), [&](const Row& other) { return sameRow(other, *row); });
@@ -338,41 +237,31 @@ class LevelBuilder {
 
   /// Point v, which lies in face `homeFace`, in the chart of a cell of another face; none where its own value is
   /// that too.
-  std::optional<Row> carriedRow(std::int32_t v, std::int32_t homeFace, const Cell& cell, const Row& ownRow) const {
-    if (!hasFaceRow(v) && liesIn(v, cell.chart)) {
-      Row row = rowIn(v, cell);
+  std::optional<Row> carriedRow(std::int32_t v, std::int32_t homeFace, const ChartCell& cell, const Row& ownRow) const {
+    if (!rows_.hasFaceRow(v) && rows_.liesIn(v, cell.chart)) {
+      Row row = rows_.rowIn(v, cell);
       if (sameRow(row, ownRow)) return std::nullopt;
       return row;
     }
-    const std::vector<std::int32_t> pivots = pivotsOf(v, cell);
+    const std::vector<std::int32_t> pivots = rows_.pivotsOf(v, cell);
     const Charts::Place place = charts_.findFace(homeFace, pivots);
     if (place.face >= 0 && place.plain) return std::nullopt;
     Charts::ChartRow row;
     const bool carried = charts_.planar() && charts_.add(place, {values_[2 * at(v)], values_[2 * at(v) + 1]}, 1, row);
     if (carried && charts_.close(cell.chart, row)) return std::move(row.row);
-    return clampedRow(v, cell.chart, pivots);
+    return rows_.clampedRow(v, cell.chart, pivots);
   }
 
-  /// Further values are loose rows, which come last in a table.
-  void append(const Extras& extras) {
-    LevelTable& table = level_.table;
+  void append(Extras& extras, RowChanges& further) {
     for (const auto& corner : extras.corners) level_.corners[at(corner.first)] = level_.valueCount + corner.second;
-    for (const Row& row : extras.rows) {
-      table.loose.outputs.push_back(level_.valueCount++);
-      for (const Weight& entry : row) {
-        table.indices.edit().push_back(entry.point);
-        table.weights.push_back(entry.weight);
-      }
-      table.loose.offsets.push_back(static_cast<std::int32_t>(table.indices.size()) - table.loose.firstIndex);
-    }
+    for (Row& row : extras.rows) further.rows.push_back({level_.valueCount++, std::move(row)});
   }
 
   const Level& child_;
   const Topology& old_;
   const Topology& new_;
   const Charts& charts_;
-  LevelRows rows_;
-  std::vector<std::int32_t> faceOfInput_;
+  ChartRows rows_;
   std::vector<std::int32_t> primary_;  // per vertex of the child: a half-edge that leaves it
   FaceVaryingLevel level_;
   std::vector<double> values_;  // of the vertices, where they are looked at

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <numeric>
 
 #include "far/schemes/akleman.h"
@@ -345,6 +347,72 @@ TEST(FaceVarying, SeamsBesideAndOnCreasesAreContinued) {
   }
   for (const std::size_t seam : {0U, 1U, 7U}) {
     for (const double width : widths(mappedCylinder(8, 4, seam))) ASSERT_LT(std::abs(width), 0.2) << "seam " << seam;
+  }
+}
+
+/// A prism of n sides whose every face is a chart of its own: caps round, sides of an edge's length.
+Channel chartedPrism(std::size_t n) {
+  Channel channel{prism(n), {}, {}};
+  const double step = 2 * std::numbers::pi / static_cast<double>(n);
+  for (const Loop& loop : channel.mesh.faces) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const double angle = step * static_cast<double>(i);
+      const double edge = step * static_cast<double>((0b0110U >> i) & 1U);
+      loop.size() == n ? channel.add({std::cos(angle), std::sin(angle)})
+                       : channel.add({edge, step * static_cast<double>(i / 2)});
+    }
+  }
+  return channel;
+}
+
+TEST_P(FaceVaryingBy, LargeFacesThatAreChartsHaveTablesOfLinearSize) {
+  std::vector<double> bytes;
+  for (const std::size_t n : {100U, 400U}) {
+    for (const std::int32_t length : {2, 1}) {
+      // The same numbers in pairs, which are continued, and one by one, which aren't.
+      Channel channel = chartedPrism(n);
+      if (length == 1) {
+        channel.length = 1;
+        for (std::int32_t& corner : channel.corners) corner *= 2;
+      }
+      bytes.push_back(static_cast<double>(builtVarying(refinedBy(GetParam(), channel.mesh, 2), channel).byteCount()));
+    }
+  }
+  EXPECT_LT(bytes[2], 4.2 * bytes[0]);
+  EXPECT_LT(bytes[3], 4.2 * bytes[1]);
+}
+
+/// One flat chart, and the same with the caps turned, halved and moved: seams round them beyond which all goes on
+/// alike.
+TEST_P(FaceVaryingBy, LargeFacesGoOnInAChartThatIsTurned) {
+  const PolyMesh mesh = prism(70);
+  Channel whole{mesh, {}, {}};
+  Channel turned{mesh, {}, {}};
+  for (const Loop& loop : mesh.faces) {
+    for (const std::size_t v : loop) {
+      const std::complex<double> z(mesh.points[v][0] * (2 + mesh.points[v][2]),
+                                   mesh.points[v][1] * (2 + mesh.points[v][2]));
+      const std::complex<double> w = loop.size() == 70 ? std::complex(0.3, 0.4) * z + std::complex(2.0, 1.0) : z;
+      whole.add({z.real(), z.imag()});
+      turned.add({w.real(), w.imag()});
+    }
+  }
+  const Far::Refinement refinement = refinedBy(GetParam(), mesh, 1);
+  const FaceVarying expected = builtVarying(refinement, whole);
+  const FaceVarying actual = builtVarying(refinement, turned);
+  const Numbers inOne = evaluate(expected.level(1).table, whole.values, 2);
+  const Numbers inTwo = evaluate(actual.level(1).table, turned.values, 2);
+  const Far::Topology& t = refinement.level(1).topology;
+  for (std::int32_t h = 0; h < t.halfEdgeCount(); ++h) {
+    const auto number = [&](const FaceVarying& varying, const Numbers& values) {
+      const auto i = 2 * static_cast<std::size_t>(at(varying.level(1).corners, h));
+      return std::complex(values[i], values[i + 1]);
+    };
+    const std::complex<double> z = number(expected, inOne);
+    const std::complex<double> w = number(actual, inTwo);
+    const double same = std::abs(w - z);
+    const double carried = std::abs(w - (std::complex(0.3, 0.4) * z + std::complex(2.0, 1.0)));
+    ASSERT_LT(std::min(same, carried), 1e-9) << "half-edge " << h;
   }
 }
 
