@@ -78,9 +78,8 @@ class VulkanTopology {
   /// compute, and loses its bound compute pipeline, descriptor set 0 and push constants.
   ///     waits for   COMPUTE_SHADER / SHADER_WRITE of all that comes before on the same queue, so that a control mesh
   ///                 from a kernel of the caller's, and the same object once more, need nothing in between
-  ///     the caller  makes a copied control mesh visible to COMPUTE_SHADER / SHADER_READ (what the host wrote before
-  ///     the
-  ///                 submission is so), and lets COMPUTE_SHADER wait for those who still read the arrays
+  ///     the caller  makes a control mesh that was copied visible to COMPUTE_SHADER / SHADER_READ (one that the host
+  ///                 wrote before the submission is so), and lets COMPUTE_SHADER wait for those who still read
   ///     leaves      everything visible to COMPUTE_SHADER / SHADER_READ and SHADER_WRITE and, for check(), to HOST /
   ///                 HOST_READ; others take a barrier of the caller's
   /// Errors, with nothing recorded: tooLarge past options.most, invalidOption for counts that no closed mesh has.

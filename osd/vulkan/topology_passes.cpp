@@ -171,7 +171,7 @@ void PassBuilder::bindControl() {
   const VulkanRange complete{passes_.status.handle(), passes_.statusComplete, kNumber};
   passes_.controlFaces =
       bind({mesh_.faceOffsets, passes_.face.range(), offsets, work_.valence, complete, work_.outgoing});
-  // What isn't written: by this one, beyond the half-edges' faces, that alone.
+  // The same kernel, which copies no offsets then and sets no vertices: what is bound for these isn't touched.
   passes_.levelFaces = bind({offsets, passes_.face.range(), work_.keys[0], work_.keys[0], complete, work_.keys[0]});
   passes_.around = bind({mesh_.vert, mesh_.twin, mesh_.faceOffsets, passes_.face.range(), work_.around, work_.defects});
   passes_.turns = bind({mesh_.vert, work_.around, work_.outgoing, work_.valence, work_.defects});
