@@ -19,11 +19,11 @@ using Meshes::schemeCase;
 using Osd::BufferDescriptor;
 using Osd::PointsOut;
 
-constexpr BufferDescriptor kPadded{2, 3, 4};
+constexpr BufferDescriptor kPaddedByOne{2, 3, 4};
 
-struct Limits {
+struct LimitArrays {
   std::vector<float> positions, normals;
-  explicit Limits(std::int64_t count)
+  explicit LimitArrays(std::int64_t count)
       : positions(static_cast<std::size_t>(BufferDescriptor{}.extent(count))), normals(positions) {}
 };
 
@@ -43,7 +43,7 @@ class RefinementTest : public VulkanTest {
 void RefinementTest::compare(const Far::Refinement& refinement, const std::vector<float>& control,
                              const Osd::VulkanEvaluatorOptions& options) {
   auto evaluator = makeEvaluator(options);
-  Osd::VulkanTableOptions layout{.refined = kPadded};
+  Osd::VulkanTableOptions layout{.refined = kPaddedByOne};
   if (refinement.limits().faces.elementCount > 0) {
     layout.vertexLimits = layout.faceLimits = {BufferDescriptor{}, BufferDescriptor{}};
   }
@@ -53,7 +53,7 @@ void RefinementTest::compare(const Far::Refinement& refinement, const std::vecto
   ASSERT_TRUE(session->run());
 
   std::vector<float> points(session->refined().size());
-  throwError(serial.evaluate<float>(refinement, refinement.levelCount(), {control, {}}, {points, kPadded}));
+  throwError(serial.evaluate<float>(refinement, refinement.levelCount(), {control, {}}, {points, kPaddedByOne}));
   ASSERT_TRUE(sameBits(points, session->refined()));
   if (!layout.faceLimits.empty()) compareLimits(refinement, points, *session);
 }
@@ -61,8 +61,8 @@ void RefinementTest::compare(const Far::Refinement& refinement, const std::vecto
 void RefinementTest::compareLimits(const Far::Refinement& refinement, const std::vector<float>& points,
                                    const Osd::VulkanSession& session) {
   const Far::Topology& last = refinement.last().topology;
-  Limits faces(last.faceCount()), vertices(last.vertexCount());
-  const Osd::Points<float> source{points, kPadded};
+  LimitArrays faces(last.faceCount()), vertices(last.vertexCount());
+  const Osd::Points<float> source{points, kPaddedByOne};
   throwError(serial.faceLimits<float>(refinement.limits(), source, {faces.positions, {}}, {faces.normals, {}}));
   throwError(serial.vertexLimits<float>(refinement.limits(), source, {vertices.positions, {}}, {vertices.normals, {}}));
   EXPECT_TRUE(sameBits(faces.positions, session.facePositions()));
