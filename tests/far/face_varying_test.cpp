@@ -41,7 +41,7 @@ struct Channel {
   }
 };
 
-Far::Refinement refinedBy(const std::string& scheme, const PolyMesh& mesh, std::int32_t levels = kChannelLevels) {
+Far::Refinement refinedChannel(const std::string& scheme, const PolyMesh& mesh, std::int32_t levels = kChannelLevels) {
   const Far::Topology control = toTopology(mesh);
   auto refinement = Far::refine(control, goldenChain(scheme, control, levels));
   if (!refinement) throw std::runtime_error(refinement.error().message);
@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, FaceVaryingBy, testing::ValuesIn(kSchemes), []
 TEST_P(FaceVaryingBy, WithoutSeamsGivesTheBitsOfAVertexPrimvar) {
   for (const PolyMesh& mesh : {torus(4, 5), dodecahedron(), grid(4, 5), tetrahedron()}) {
     const Channel channel = withVertexValues(mesh);
-    const Far::Refinement refinement = refinedBy(GetParam(), mesh);
+    const Far::Refinement refinement = refinedChannel(GetParam(), mesh);
     const FaceVarying varying = builtVarying(refinement, channel);
     const Numbers values = levelValues(varying, channel).back();
     Numbers vertexValues = inVertexOrder(channel);
@@ -165,7 +165,7 @@ TEST_P(FaceVaryingBy, WithoutSeamsGivesTheBitsOfAVertexPrimvar) {
 TEST_P(FaceVaryingBy, EveryRowSumsToOne) {
   for (const std::int32_t length : {2, 3}) {
     const Channel channel = separateCharts(cube(), length);
-    const FaceVarying varying = builtVarying(refinedBy(GetParam(), channel.mesh), channel);
+    const FaceVarying varying = builtVarying(refinedChannel(GetParam(), channel.mesh), channel);
     EXPECT_TRUE(varying.hasSeams());
     for (std::int32_t k = 1; k <= varying.levelCount(); ++k) {
       for (const StencilRow& row : expandRows(varying.level(k).table)) {
@@ -196,7 +196,7 @@ Numbers ownValue(const StencilRow& row, const Far::Topology& parent, std::int32_
 
 void expectFacesRefineAlone(const std::string& scheme, const PolyMesh& mesh, std::int32_t levels) {
   const Channel channel = separateCharts(mesh, 2);
-  const Far::Refinement refinement = refinedBy(scheme, mesh, levels);
+  const Far::Refinement refinement = refinedChannel(scheme, mesh, levels);
   const FaceVarying varying = builtVarying(refinement, channel);
   const std::vector<Numbers> values = levelValues(varying, channel);
   std::size_t checked = 0;
@@ -233,15 +233,15 @@ TEST(FaceVarying, EqualValuesOfNeighbouringCornersAreNoSeam) {
   for (const Loop& loop : channel.mesh.faces) {
     for (const std::size_t v : loop) channel.add({static_cast<double>(v), 1});
   }
-  EXPECT_FALSE(builtVarying(refinedBy("akleman", channel.mesh, 1), channel).hasSeams());
+  EXPECT_FALSE(builtVarying(refinedChannel("akleman", channel.mesh, 1), channel).hasSeams());
   channel.values[7] = 2;
-  EXPECT_TRUE(builtVarying(refinedBy("akleman", channel.mesh, 1), channel).hasSeams());
+  EXPECT_TRUE(builtVarying(refinedChannel("akleman", channel.mesh, 1), channel).hasSeams());
 }
 
 /// No cell smears the texture: u of neighbouring cells differs by whole turns only, and no cell is wider than it ought.
 TEST_P(FaceVaryingBy, SeamOfACylinderIsContinuedAcross) {
   const Channel channel = mappedCylinder(8, 4);
-  const Far::Refinement refinement = refinedBy(GetParam(), channel.mesh);
+  const Far::Refinement refinement = refinedChannel(GetParam(), channel.mesh);
   const FaceVarying varying = builtVarying(refinement, channel);
   const std::vector<Numbers> values = levelValues(varying, channel);
   for (std::int32_t k = 1; k <= refinement.levelCount(); ++k) {
@@ -275,7 +275,7 @@ TEST_P(FaceVaryingBy, CellsOnASeamContinueTheChartOfTheirFirstFace) {
       channel.add(mean[0] < 3 ? Numbers{p[0], p[1]} : turned(p[0], p[1]));
     }
   }
-  const Far::Refinement refinement = refinedBy(GetParam(), channel.mesh);
+  const Far::Refinement refinement = refinedChannel(GetParam(), channel.mesh);
   const FaceVarying varying = builtVarying(refinement, channel);
   ASSERT_TRUE(varying.hasSeams());
   const std::vector<Numbers> values = levelValues(varying, channel);
@@ -302,7 +302,7 @@ TEST_P(FaceVaryingBy, ColoursOfFacesStayWithinTheirCells) {
   for (std::size_t f = 0; f < 6; ++f) {
     for (std::size_t i = 0; i < 4; ++i) channel.add({static_cast<double>(f), static_cast<double>(f % 2), 1});
   }
-  const Far::Refinement refinement = refinedBy(GetParam(), channel.mesh);
+  const Far::Refinement refinement = refinedChannel(GetParam(), channel.mesh);
   const FaceVarying varying = builtVarying(refinement, channel);
   const Numbers values = levelValues(varying, channel).back();
   const Far::Topology& topology = refinement.last().topology;
@@ -375,7 +375,8 @@ TEST_P(FaceVaryingBy, LargeFacesThatAreChartsHaveTablesOfLinearSize) {
         channel.length = 1;
         for (std::int32_t& corner : channel.corners) corner *= 2;
       }
-      bytes.push_back(static_cast<double>(builtVarying(refinedBy(GetParam(), channel.mesh, 2), channel).byteCount()));
+      bytes.push_back(
+          static_cast<double>(builtVarying(refinedChannel(GetParam(), channel.mesh, 2), channel).byteCount()));
     }
   }
   EXPECT_LT(bytes[2], 4.2 * bytes[0]);
@@ -398,7 +399,7 @@ void expectGoesOnInATurnedChart(const std::string& scheme, const PolyMesh& mesh,
       turned.add({w.real(), w.imag()});
     }
   }
-  const Far::Refinement refinement = refinedBy(scheme, mesh, levels);
+  const Far::Refinement refinement = refinedChannel(scheme, mesh, levels);
   const FaceVarying expected = builtVarying(refinement, whole);
   const FaceVarying actual = builtVarying(refinement, turned);
   Numbers inOne = whole.values;
@@ -430,7 +431,7 @@ TEST(FaceVarying, ChartsWithoutAreaAreNotContinued) {
   Channel channel = separateCharts(cube(), 2);
   std::fill(channel.values.begin(), channel.values.begin() + 8, 0.25);  // all corners of face 0
   for (std::size_t i = 8; i < 16; i += 2) channel.values[i + 1] = 3;    // face 1 is a line
-  const FaceVarying varying = builtVarying(refinedBy("akleman", channel.mesh), channel);
+  const FaceVarying varying = builtVarying(refinedChannel("akleman", channel.mesh), channel);
   const Numbers values = levelValues(varying, channel).back();
   for (const double x : values) {
     EXPECT_GE(x, -2);
@@ -439,7 +440,7 @@ TEST(FaceVarying, ChartsWithoutAreaAreNotContinued) {
 }
 
 std::string refusal(const Channel& channel) {
-  const Far::Refinement refinement = refinedBy("akleman", cube(), 1);
+  const Far::Refinement refinement = refinedChannel("akleman", cube(), 1);
   const auto result = FaceVarying::build(refinement, {channel.length, channel.values, channel.corners});
   return result ? "" : result.error().message;
 }
