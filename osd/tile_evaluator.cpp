@@ -101,11 +101,10 @@ template <class Real>
 void TileEvaluator::evaluateTile(const Far::TileTable& tiles, std::int32_t number, std::int32_t level,
                                  const PointsOut<Real>& refined, const PointsOut<Real>& normals,
                                  const TileShared<Real>& shared, const Scratch<Real>& scratch) const {
-  // Points and normals share the caches.
-  const auto bytesOf = [&](const PointsOut<Real>& target) {
-    return target.data.empty() ? 0 : target.desc.extent(tiles.pointCount[at(level)]) * std::int64_t{sizeof(Real)};
+  const auto streamOf = [&](const PointsOut<Real>& target) {
+    const std::int64_t bytes = target.desc.extent(tiles.pointCount[at(level)]) * std::int64_t{sizeof(Real)};
+    return bytes >= options_.streamedBytes ? scratch.stream : nullptr;
   };
-  Real* const stream = bytesOf(refined) + bytesOf(normals) >= options_.streamedBytes ? scratch.stream : nullptr;
   const Points<Real>& root = shared.root();
   const Far::Tile& tile = tiles.tiles[at(number)];
   const bool behind = !normals.data.empty() && tiles.normalKind == Far::TileNormalKind::exact;
@@ -117,7 +116,7 @@ void TileEvaluator::evaluateTile(const Far::TileTable& tiles, std::int32_t numbe
     in.data += done;
     out.data += done;
     const View<const Real> sharedPoints{shared.points().data() + done, root.desc.length};
-    const Kernels::TileViews<Real> views{in, sharedPoints, out, scratch.points, level, last, stream};
+    const Kernels::TileViews<Real> views{in, sharedPoints, out, scratch.points, level, last, streamOf(refined)};
     forPieceWidth(std::min(kPiece, root.desc.length - done), [&](auto width) {
       if constexpr (std::is_same_v<Real, float>) {
         if (vectors) return Simd::evaluateTile(tiles, tile, views, width());
@@ -126,7 +125,8 @@ void TileEvaluator::evaluateTile(const Far::TileTable& tiles, std::int32_t numbe
     });
   }
   if (normals.data.empty()) return;
-  const Kernels::NormalViews<Real> views{{shared.normals().data(), 3}, viewOf(normals), scratch.normals, stream};
+  const Kernels::NormalViews<Real> views{
+      {shared.normals().data(), 3}, viewOf(normals), scratch.normals, streamOf(normals)};
   if constexpr (std::is_same_v<Real, float>) {
     if (vectors) return Simd::evaluateTileNormals(tiles, number, scratch.points, views);
   }
