@@ -17,6 +17,7 @@ target_compile_definitions(cli_test_support PRIVATE HONEYCOMB_PROGRAM="$<TARGET_
 # The built program, run on real files.
 honeycomb_test(cli_test
   SHARDS 4
+  TWINS "RefineTest.SerialSimdAndTbbGiveTheSameFile:SchemeTest.FastNormalsAreTheSameOnSerialAndTbb*"
   SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/animated_input_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/bad_cache_test.cpp

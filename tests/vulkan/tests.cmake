@@ -44,7 +44,8 @@ string(JOIN ":" vulkan_twins
   PagingTest.LevelsPastTheDevicesOwnLimit*
   TilesTest.OfPointsOfAnyLengthAndStride
   TilesTest.OfFacesWithAnyNumberOfSides
-  *TileNormalsTest*/Fast)
+  *TileNormalsTest*/Fast
+  *FaultsTest.EachCallThatFailsIsAnErrorAndLeavesNothingBehind/OutOfDeviceMemory)
 honeycomb_test(vulkan_tests
   LABELS vulkan
   SHARDS 12
