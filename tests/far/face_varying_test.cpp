@@ -9,8 +9,7 @@
 #include <numeric>
 
 #include "far/schemes/akleman.h"
-#include "osd/cpu_evaluator.h"
-#include "tests/support/golden_chain.h"
+#include "tests/far/channel.h"
 #include "tests/support/random.h"
 #include "tests/support/refined.h"
 #include "tests/support/shapes.h"
@@ -20,54 +19,14 @@ namespace honeycomb::Test {
 namespace {
 
 using Far::FaceVarying;
-using Numbers = std::vector<double>;
 
 const std::vector<std::string> kSchemes{"akleman",          "akleman-eq16", "akleman-drop",    "zhang-wang",
                                         "zhang-wang-brick", "halfbox",      "halfbox-trisect", "halfbox-tuned-all",
                                         "doo-sabin",        "midpoint",     "trisect",         "centroid"};
-constexpr std::int32_t kChannelLevels = 3;
-
-/// A mesh with a value for each corner.
-struct Channel {
-  PolyMesh mesh;
-  Numbers values;
-  std::vector<std::int32_t> corners;
-  std::int32_t length = 2;
-
-  /// Another value, for the next corner.
-  void add(const Numbers& value) {
-    corners.push_back(static_cast<std::int32_t>(values.size() / static_cast<std::size_t>(length)));
-    values.insert(values.end(), value.begin(), value.end());
-  }
-};
-
-Far::Refinement refinedChannel(const std::string& scheme, const PolyMesh& mesh, std::int32_t levels = kChannelLevels) {
-  const Far::Topology control = toTopology(mesh);
-  auto refinement = Far::refine(control, goldenChain(scheme, control, levels));
-  if (!refinement) throw std::runtime_error(refinement.error().message);
-  return std::move(*refinement);
-}
-
-FaceVarying builtVarying(const Far::Refinement& refinement, const Channel& channel) {
-  auto result = FaceVarying::build(refinement, {channel.length, channel.values, channel.corners});
-  if (!result) throw std::runtime_error(result.error().message);
-  return std::move(*result);
-}
-
-Numbers evaluate(const Far::LevelTable& table, const Numbers& source, std::int32_t length) {
-  Numbers target(static_cast<std::size_t>(table.targetCount) * static_cast<std::size_t>(length));
-  const Osd::BufferDescriptor desc{0, length, length};
-  Osd::SerialEvaluator evaluator;
-  const auto done = evaluator.evaluate<double>(table, {source, desc}, {target, desc});
-  if (!done) throw std::runtime_error(done.error().message);
-  return target;
-}
-
-/// The values of each level.
 std::vector<Numbers> levelValues(const FaceVarying& varying, const Channel& channel) {
   std::vector<Numbers> levels{channel.values};
   for (std::int32_t k = 1; k <= varying.levelCount(); ++k) {
-    levels.push_back(evaluate(varying.level(k).table, levels.back(), channel.length));
+    levels.push_back(evaluateChannel(varying.level(k).table, levels.back(), channel.length));
   }
   return levels;
 }
@@ -137,7 +96,6 @@ Channel separateCharts(const PolyMesh& mesh, std::int32_t length) {
   return channel;
 }
 
-class FaceVaryingBy : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Schemes, FaceVaryingBy, testing::ValuesIn(kSchemes), [](const auto& test) {
   std::string name = test.param;
   std::replace(name.begin(), name.end(), '-', '_');
@@ -152,7 +110,7 @@ TEST_P(FaceVaryingBy, WithoutSeamsGivesTheBitsOfAVertexPrimvar) {
     const Numbers values = levelValues(varying, channel).back();
     Numbers vertexValues = inVertexOrder(channel);
     for (std::int32_t k = 1; k <= refinement.levelCount(); ++k) {
-      vertexValues = evaluate(refinement.level(k).table, vertexValues, 2);
+      vertexValues = evaluateChannel(refinement.level(k).table, vertexValues, 2);
     }
     const Far::Topology& topology = refinement.last().topology;
     for (std::int32_t h = 0; h < topology.halfEdgeCount(); ++h) {
@@ -348,83 +306,6 @@ TEST(FaceVarying, SeamsBesideAndOnCreasesAreContinued) {
   for (const std::size_t seam : {0U, 1U, 7U}) {
     for (const double width : widths(mappedCylinder(8, 4, seam))) ASSERT_LT(std::abs(width), 0.2) << "seam " << seam;
   }
-}
-
-/// A prism of n sides whose every face is a chart of its own: caps round, sides of an edge's length.
-Channel chartedPrism(std::size_t n) {
-  Channel channel{prism(n), {}, {}};
-  const double step = 2 * std::numbers::pi / static_cast<double>(n);
-  for (const Loop& loop : channel.mesh.faces) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const double angle = step * static_cast<double>(i);
-      const double edge = step * static_cast<double>((0b0110U >> i) & 1U);
-      loop.size() == n ? channel.add({std::cos(angle), std::sin(angle)})
-                       : channel.add({edge, step * static_cast<double>(i / 2)});
-    }
-  }
-  return channel;
-}
-
-TEST_P(FaceVaryingBy, LargeFacesThatAreChartsHaveTablesOfLinearSize) {
-  std::vector<double> bytes;
-  for (const std::size_t n : {100U, 400U}) {
-    for (const std::int32_t length : {2, 1}) {
-      // The same numbers in pairs, which are continued, and one by one, which aren't.
-      Channel channel = chartedPrism(n);
-      if (length == 1) {
-        channel.length = 1;
-        for (std::int32_t& corner : channel.corners) corner *= 2;
-      }
-      bytes.push_back(
-          static_cast<double>(builtVarying(refinedChannel(GetParam(), channel.mesh, 2), channel).byteCount()));
-    }
-  }
-  EXPECT_LT(bytes[2], 4.2 * bytes[0]);
-  EXPECT_LT(bytes[3], 4.2 * bytes[1]);
-}
-
-/// One flat chart of all faces, and the same with those of 70 sides from `firstTurned` on turned, halved and moved:
-/// seams beyond which all goes on alike. Central control vertices, which are at no corner, show at the second level.
-void expectGoesOnInATurnedChart(const std::string& scheme, const PolyMesh& mesh, std::int32_t levels,
-                                std::size_t firstTurned) {
-  const auto turnedPoint = [](std::complex<double> z) { return std::complex(0.3, 0.4) * z + std::complex(2.0, 1.0); };
-  Channel whole{mesh, {}, {}};
-  Channel turned{mesh, {}, {}};
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-    for (const std::size_t v : mesh.faces[f]) {
-      const Vec3& p = mesh.points[v];
-      const std::complex<double> z((2 + p[2]) * p[0], (2 + p[2]) * p[1]);
-      const std::complex<double> w = mesh.faces[f].size() == 70 && f >= firstTurned ? turnedPoint(z) : z;
-      whole.add({z.real(), z.imag()});
-      turned.add({w.real(), w.imag()});
-    }
-  }
-  const Far::Refinement refinement = refinedChannel(scheme, mesh, levels);
-  const FaceVarying expected = builtVarying(refinement, whole);
-  const FaceVarying actual = builtVarying(refinement, turned);
-  Numbers inOne = whole.values;
-  Numbers inTwo = turned.values;
-  for (std::int32_t k = 1; k <= levels; ++k) {
-    inOne = evaluate(expected.level(k).table, inOne, 2);
-    inTwo = evaluate(actual.level(k).table, inTwo, 2);
-  }
-  const auto valueAt = [levels](const FaceVarying& varying, const Numbers& values, std::int32_t h) {
-    const auto i = 2 * static_cast<std::size_t>(at(varying.level(levels).corners, h));
-    return std::complex(values[i], values[i + 1]);
-  };
-  for (std::int32_t h = 0; h < refinement.level(levels).topology.halfEdgeCount(); ++h) {
-    const std::complex<double> z = valueAt(expected, inOne, h);
-    const std::complex<double> w = valueAt(actual, inTwo, h);
-    ASSERT_LT(std::min(std::abs(w - z), std::abs(w - turnedPoint(z))), 1e-9) << "half-edge " << h;
-  }
-}
-
-TEST_P(FaceVaryingBy, LargeFacesGoOnInAChartThatIsTurned) {
-  ASSERT_NO_FATAL_FAILURE(expectGoesOnInATurnedChart(GetParam(), prism(70), 1, 0));
-}
-
-TEST(FaceVarying, SumsOfLargeFacesGoOnInAChartThatIsTurned) {
-  ASSERT_NO_FATAL_FAILURE(expectGoesOnInATurnedChart("zhang-wang", pillow(70), 2, 1));
 }
 
 TEST(FaceVarying, ChartsWithoutAreaAreNotContinued) {

@@ -10,6 +10,7 @@ set(honeycomb_far_tests
   creases_random_test.cpp
   creases_test.cpp
   defects_test.cpp
+  face_varying_large_faces_test.cpp
   face_varying_test.cpp
   geometry_test.cpp
   golden_files_test.cpp
