@@ -83,17 +83,14 @@ Result<void> TileEvaluator::evaluate(Far::LevelTables levels, const Far::TileTab
   }
   const std::int64_t count = request.only ? std::ssize(*request.only) : std::ssize(tiles.tiles);
   const bool alone = options_.threads == CpuEvaluator::Threads::one;
-  memory.reserve(alone ? 1 : Parallel::threadCount(), Scratch<Real>::size(tiles, !request.normals.data.empty()));
+  const int workers = alone ? 1 : Parallel::threadCount();
+  memory.reserve(workers, Scratch<Real>::size(tiles, !request.normals.data.empty()));
   const auto run = [&](int worker, std::int64_t t) {
     const auto tile = request.only ? (*request.only)[at(t)] : static_cast<std::int32_t>(t);
     evaluateTile(tiles, tile, level, refined, request.normals, memory.shared, {memory.scratch[at(worker)], tiles});
   };
-  if (alone) {
-    for (std::int64_t t = 0; t < count; ++t) run(0, t);
-  } else {
-    // By reference: a std::function of the loop itself would allocate in every frame.
-    Parallel::forItems(count, std::cref(run));
-  }
+  // By reference: a std::function of the loop itself would allocate in every frame.
+  Parallel::forItems(count, workers, std::cref(run));
   return {};
 }
 

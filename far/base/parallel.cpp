@@ -25,8 +25,8 @@ std::int64_t pieceCount(std::int64_t items) {
   return std::clamp<std::int64_t>(items / (4 * kGrain), 1, 64);
 }
 
-int workersFor(std::int64_t items) {
-  return static_cast<int>(std::min<std::int64_t>({items, threadCount(), kMostWorkers}));
+[[maybe_unused]] int workersFor(std::int64_t items, int workers) {
+  return static_cast<int>(std::min<std::int64_t>({items, workers, kMostWorkers}));
 }
 
 void workAlone(std::int64_t count, const std::function<void(int, std::int64_t)>& body) {
@@ -60,8 +60,8 @@ void forRange(std::int64_t begin, std::int64_t end, std::int64_t grain,
       [&body](const tbb::blocked_range<std::int64_t>& range) { body(range.begin(), range.end()); });
 }
 
-void forItems(std::int64_t count, const std::function<void(int, std::int64_t)>& body) {
-  const int workers = workersFor(count);
+void forItems(std::int64_t count, int most, const std::function<void(int, std::int64_t)>& body) {
+  const int workers = workersFor(count, most);
   if (workers <= 1) return workAlone(count, body);
   Shares<kMostWorkers> shares(count, workers);
   tbb::parallel_for(
@@ -118,8 +118,8 @@ void forRange(std::int64_t begin, std::int64_t end, std::int64_t grain,
   for (std::thread& thread : threads) thread.join();
 }
 
-void forItems(std::int64_t count, const std::function<void(int, std::int64_t)>& body) {
-  const int workers = workersFor(count);
+void forItems(std::int64_t count, int most, const std::function<void(int, std::int64_t)>& body) {
+  const int workers = workersFor(count, most);
   if (workers <= 1) return workAlone(count, body);
   Shares<kMostWorkers> shares(count, workers);
   forRange(0, workers, 1, [&](std::int64_t first, std::int64_t) { shares.work(static_cast<int>(first), body); });
@@ -136,7 +136,7 @@ void forRange(std::int64_t begin, std::int64_t end, std::int64_t,
   if (begin < end) body(begin, end);
 }
 
-void forItems(std::int64_t count, const std::function<void(int, std::int64_t)>& body) {
+void forItems(std::int64_t count, int, const std::function<void(int, std::int64_t)>& body) {
   workAlone(count, body);
 }
 

@@ -49,7 +49,7 @@ TEST(Parallel, TakesEachItemOnceAndGivesAWorkerToOneThreadAtATime) {
       std::array<std::atomic<bool>, kMostWorkers> busy{};
       std::atomic<int> clashes{0};
       std::atomic<int> highest{0};
-      forItems(count, [&](int worker, std::int64_t i) {
+      forItems(count, threads, [&](int worker, std::int64_t i) {
         if (busy.at(static_cast<std::size_t>(worker)).exchange(true)) ++clashes;
         ++taken[static_cast<std::size_t>(i)];
         if (worker > highest) highest = worker;
@@ -57,7 +57,7 @@ TEST(Parallel, TakesEachItemOnceAndGivesAWorkerToOneThreadAtATime) {
       });
       EXPECT_THAT(taken, testing::Each(testing::Eq(1))) << count << " items";
       EXPECT_EQ(clashes, 0);
-      EXPECT_LT(highest, threadCount());
+      EXPECT_LT(highest, threads);
     }
   }
 }
