@@ -18,13 +18,11 @@ FaceSums::Ends FaceSums::endsOf(const LevelTable& table, std::int32_t face) cons
 }
 
 PointSum FaceSums::pointsOf(const LevelTable& table, const LevelRows::Sum& sum) const {
-  const ProjectedFace& face = table.projected[at(sum.face)];
-  const std::int32_t firstWeight = face.firstWeight + 2 + sum.projection * face.corners;
   PointSum points;
-  for (std::int32_t j = 0; j < face.corners; ++j) {
-    points.points.push_back(renamed(table.indices[at(face.firstIndex + j)]));
-    points.weights.push_back(table.weights[at(firstWeight + j)]);
-  }
+  LevelRows::visitSum(table, sum, [&](std::int32_t point, double weight) {
+    points.points.push_back(renamed(point));
+    points.weights.push_back(weight);
+  });
   return points;
 }
 

@@ -82,9 +82,14 @@ class LevelRows {
   /// Calls take(source point, weight) for the corners that a sum is made of.
   template <class Take>
   void visitSum(const Sum& sum, const Take& take) const {
-    const ProjectedFace& face = table_->projected[at(sum.face)];
+    visitSum(*table_, sum, take);
+  }
+  template <class Take>
+  static void visitSum(const LevelTable& table, const Sum& sum, const Take& take) {
+    const ProjectedFace& face = table.projected[at(sum.face)];
     const std::int64_t s = face.firstWeight + 2 + std::int64_t{sum.projection} * face.corners;
-    for (std::int32_t j = 0; j < face.corners; ++j) take(source(face.firstIndex + j), weight(s + j));
+    for (std::int32_t j = 0; j < face.corners; ++j)
+      take(table.indices[at(face.firstIndex + j)], table.weights[at(s + j)]);
   }
 
   /// Calls take(large face, weight) for the shares of a summed row.
