@@ -83,6 +83,7 @@ void visitNormals(Normals& normals, const Visit& visit) {
   visit(normalIndices, 0, normals.indices);
   visit(normalFirstFace, 0, normals.firstFace);
   visit(normalFaces, 0, normals.faces);
+  visit(normalBorn, 0, normals.born);
   visit(normalWeights, 0, normals.weights);
   visit(normalWeightsSingle, 0, normals.weightsSingle);
   visit(normalSharedOffsets, 0, normals.sharedOffsets);

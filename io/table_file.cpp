@@ -185,6 +185,8 @@ Result<void> TableFile::State::readTables(SectionReader& reader) {
     tiles.emplace();
     if (!setRecord(counts, *tiles)) return unsound("its tiles have counts of no tiles");
     visitArrays(*tiles, visit);
+    // Files of before these were known.
+    if (tiles->normals.born.empty()) tiles->normals.born.resize(tiles->normals.firstFace.size(), Far::TileBorn{});
   }
   mesh.vertexCount = record.vertexCount;
   reader(TableArray::faceOffsets, 0, mesh.faceOffsets);

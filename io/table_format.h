@@ -103,6 +103,7 @@ enum class TableArray : std::uint32_t {
   normalWeightsSingle = 71,
   normalSharedOffsets = 72,
   normalSharedFaces = 73,
+  normalBorn = 74,
   exactTiles = 80,
   exactFrames = 81,
   exactIndices = 82,
@@ -171,7 +172,7 @@ static_assert(sizeof(Far::TileStep) == 28 && offsetof(Far::TileStep, sameWeights
               offsetof(Far::TileStep, width) == 8);
 static_assert(sizeof(Far::ProjectedFace) == 24 && sizeof(Far::DenseRows) == 20 && sizeof(Far::FrameBatch) == 20);
 static_assert(sizeof(Far::Tile) == 20 && sizeof(Far::TileStage) == 12 && sizeof(Far::TileRow) == 8);
-static_assert(sizeof(Far::TileNormalRange) == 20 && sizeof(Far::TileFrames) == 16);
+static_assert(sizeof(Far::TileNormalRange) == 20 && sizeof(Far::TileFrames) == 16 && sizeof(Far::TileBorn) == 8);
 static_assert(sizeof(Far::TileVertexFrames) == 24 && sizeof(Far::TileLimits::Range) == 8 &&
               sizeof(Far::SharedPoints::Run) == 12 && sizeof(Far::TilePoint) == 2);
 

@@ -104,6 +104,7 @@ void TileEvaluator::evaluateTile(const Far::TileTable& tiles, std::int32_t numbe
   };
   const Points<Real>& root = shared.root();
   const Far::Tile& tile = tiles.tiles[at(number)];
+  const bool fast = !normals.data.empty() && tiles.normalKind == Far::TileNormalKind::fast;
   const bool behind = !normals.data.empty() && tiles.normalKind == Far::TileNormalKind::exact;
   const std::int32_t last = behind ? level + 1 : level;
   const bool vectors = options_.instructions == CpuEvaluator::Instructions::vectors;
@@ -113,7 +114,9 @@ void TileEvaluator::evaluateTile(const Far::TileTable& tiles, std::int32_t numbe
     in.data += done;
     out.data += done;
     const View<const Real> sharedPoints{shared.points().data() + done, root.desc.length};
-    const Kernels::TileViews<Real> views{in, sharedPoints, out, scratch.points, level, last, streamOf(refined)};
+    Real* const crosses = fast && done == 0 ? scratch.normals : nullptr;
+    const Kernels::TileViews<Real> views{in,   sharedPoints,      out,    scratch.points, level,
+                                         last, streamOf(refined), crosses};
     forPieceWidth(std::min(kPiece, root.desc.length - done), [&](auto width) {
       if constexpr (std::is_same_v<Real, float>) {
         if (vectors) return Simd::evaluateTile(tiles, tile, views, width());

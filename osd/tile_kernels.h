@@ -38,6 +38,8 @@ struct TileViews {
   std::int32_t last;        ///< that, or the one behind it where its points are to be kept too
   Real* stream = nullptr;   ///< room for kStreamNumbers and a point, on a cache line: the target is written past the
                             ///< caches; none: as all else
+  Real* normals = nullptr;  ///< NormalViews::scratch, where fast normals follow: kernels that have a face's corners at
+                            ///< hand may leave T1 x T2 there for those that make it unit
 };
 
 /// A place in the target for each face (or row) of a step: that of its first point.

@@ -19,25 +19,52 @@ struct NormalViews {
   Real* stream = nullptr;   ///< as TileViews::stream
 };
 
+/// The normals of `frames`, to `to` and behind it. index: their corners; w: their weights, as FrameBatch has them.
+template <class Real>
+void frameNormals(const Far::TileFrames& frames, const Real* w, const Far::TilePoint* index, const Real* points,
+                  View<Real> to) {
+  const std::int32_t n = frames.sides;
+  const View<const Real> corners = byTilePoint(points);
+  for (std::int32_t g = 0; g < frames.count; ++g, index += n) {
+    const auto t1 = blockedSum<3>(w + n, index, n, corners);
+    const auto t2 = blockedSum<3>(w + 2 * std::int64_t{n}, index, n, corners);
+    store(unitNormal(t1, t2), to.point(g));
+  }
+}
+
+/// The faces of a step whose normals are found from what it reads, as frames but for the indices.
+inline Far::TileFrames bornFrames(const Far::TileStep& step, const Far::TileBorn& born) {
+  return {step.width, step.count, 0, born.firstWeight};
+}
+
 /// The normals of the faces that a tile knows.
 template <class Real>
-void tileFaceNormals(const Far::TileNormals& table, const Far::TileNormalRange& tile, const Real* points,
+void tileFaceNormals(const Far::TileTable& table, std::int32_t number, const Real* points,
                      const NormalViews<Real>& views) {
+  const Far::TileNormals& normals = table.normals;
+  const Far::TileNormalRange& range = normals.tiles[at(number)];
   const View<Real> own{views.scratch, kTileStride};
-  const View<const Real> corners = byTilePoint(points);
-  for (std::int32_t i = 0; i < tile.importCount; ++i) {
-    store(load<3>(views.shared.point(table.imports[at(tile.firstImport + i)])), own.point(i));
+  const auto weights = [&](const Far::TileFrames& frames) {
+    return normals.weightsAs<Real>().data() + frames.firstWeight;
+  };
+  for (std::int32_t i = 0; i < range.importCount; ++i) {
+    store(load<3>(views.shared.point(normals.imports[at(range.firstImport + i)])), own.point(i));
   }
-  std::int32_t normal = tile.importCount;
-  for (const Far::TileFrames& frames : std::span(table.frames).subspan(at(tile.firstFrames), at(tile.framesCount))) {
-    const std::int32_t n = frames.sides;
-    const Real* w = table.weightsAs<Real>().data() + frames.firstWeight;
-    const Far::TilePoint* index = table.indices.data() + frames.firstIndex;
-    for (std::int32_t g = 0; g < frames.count; ++g, index += n) {
-      const auto t1 = blockedSum<3>(w + n, index, n, corners);
-      const auto t2 = blockedSum<3>(w + 2 * std::int64_t{n}, index, n, corners);
-      store(unitNormal(t1, t2), own.point(normal++));
-    }
+  std::int32_t next = range.importCount;
+  for (const Far::TileFrames& frames :
+       std::span(normals.frames).subspan(at(range.firstFrames), at(range.framesCount))) {
+    frameNormals(frames, weights(frames), normals.indices.data() + frames.firstIndex, points,
+                 {own.point(next), own.stride});
+    next += frames.count;
+  }
+  const Far::Tile& tile = table.tiles[at(number)];
+  for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
+    const Far::TileBorn& born = normals.born[at(s)];
+    if (born.firstNormal < 0) continue;
+    const Far::TileStep& step = table.steps[at(s)];
+    const Far::TileFrames frames = bornFrames(step, born);
+    frameNormals(frames, weights(frames), table.indices.data() + step.firstIndex, points,
+                 {own.point(born.firstNormal), own.stride});
   }
 }
 
@@ -96,7 +123,7 @@ template <class Real>
 void evaluateTileNormals(const Far::TileTable& table, std::int32_t number, const Real* points,
                          const NormalViews<Real>& views) {
   if (table.normalKind == Far::TileNormalKind::exact) return evaluateTileLimits(table, number, points, views);
-  tileFaceNormals(table.normals, table.normals.tiles[at(number)], points, views);
+  tileFaceNormals(table, number, points, views);
   const Far::Tile& tile = table.tiles[at(number)];
   for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
     if (table.normals.firstFace[at(s)] >= 0) tileVertexNormals(table, s, views);

@@ -65,26 +65,23 @@ std::span<const std::int32_t> TilePlan::owned(std::int32_t k, std::int32_t tile)
 
 namespace {
 
-/// Chains of one step, those of one batch, ownership and last level, have equal keys but for the unit:
-///     | batch | not owned 1 | last 7 | unit 32 |
-constexpr int kUnitBits = 32;
-constexpr int kOwnedBit = kUnitBits + 7;
-constexpr int kBatchBit = kOwnedBit + 1;
-std::uint64_t keyOf(std::int32_t batch, bool owned, std::int32_t last, std::int32_t unit) {
-  return (static_cast<std::uint64_t>(batch) << kBatchBit) | (static_cast<std::uint64_t>(owned ? 0 : 1) << kOwnedBit) |
-         (static_cast<std::uint64_t>(last) << kUnitBits) | static_cast<std::uint64_t>(unit);
-}
-std::int32_t unitOf(std::uint64_t key) {
-  return static_cast<std::int32_t>(key & 0xffffffffu);
-}
-std::int32_t lastOf(std::uint64_t key) {
-  return static_cast<std::int32_t>((key >> kUnitBits) & 0x7f);
-}
-bool ownedOf(std::uint64_t key) {
-  return ((key >> kOwnedBit) & 1) == 0;
-}
+constexpr int kLastBits = 7;
 
 }  // namespace
+
+std::uint64_t TileAssembler::keyOf(std::int32_t batch, bool owned, std::int32_t last, std::int32_t unit) {
+  const auto bits = [](auto number) { return static_cast<std::uint64_t>(number); };
+  const std::uint64_t kind = bits(batch) << 1 | bits(owned ? 0 : 1);
+  return (kind << kLastBits | bits(last)) << kUnitBits | bits(unit);
+}
+
+std::int32_t TileAssembler::lastOf(std::uint64_t key) {
+  return static_cast<std::int32_t>((key >> kUnitBits) & ((1u << kLastBits) - 1));
+}
+
+bool TileAssembler::ownedOf(std::uint64_t key) {
+  return ((key >> (kUnitBits + kLastBits)) & 1) == 0;
+}
 
 TileAssembler::TileAssembler(const TilePlan& plan)
     : plan_(plan),
@@ -102,7 +99,9 @@ void TileAssembler::add(std::int32_t tile, TileParts& parts) {
   made.importCount = static_cast<std::int32_t>(imports_.size());
   addImports(parts);
   if (plan_.normals) numberNormals(parts);
-  for (std::int32_t k = plan_.units.root() + 1; k <= plan_.units.last(); ++k) addSteps(k, parts);
+  for (std::int32_t k = plan_.units.root() + 1; k <= plan_.units.last(); ++k) {
+    forSteps(k, [&](std::span<const std::uint64_t> keys) { addStep(k, keys, parts); });
+  }
   if (plan_.normals) addFrames(parts);
   if (plan_.limits) addLimits(std::span(parts.steps).subspan(at(made.firstStep)), parts);
   made.stepCount = static_cast<std::int32_t>(parts.steps.size()) - made.firstStep;
@@ -169,16 +168,6 @@ void TileAssembler::addImports(TileParts& parts) {
   for (std::size_t i = 0; i < imports_.size(); ++i) imported_[at(imports_[i])].number = static_cast<std::int32_t>(i);
   parts.imports.insert(parts.imports.end(), imports_.begin(), imports_.end());
   pointCount_ = static_cast<std::int32_t>(imports_.size());
-}
-
-void TileAssembler::addSteps(std::int32_t k, TileParts& parts) {
-  const std::span<const std::uint64_t> births = births_[at(k - plan_.units.root() - 1)];
-  for (std::size_t begin = 0; begin < births.size();) {
-    std::size_t end = begin + 1;
-    while (end < births.size() && births[end] >> kUnitBits == births[begin] >> kUnitBits) ++end;
-    addStep(k, births.subspan(begin, end - begin), parts);
-    begin = end;
-  }
 }
 
 void TileAssembler::addStep(std::int32_t k, std::span<const std::uint64_t> keys, TileParts& parts) {

@@ -89,6 +89,8 @@ class TileAssembler {
   void collectNormals();
   void touchNormal(std::int32_t normal);
   void numberNormals(TileParts& parts);
+  TileBorn numberBorn(std::int32_t k, std::span<const std::uint64_t> keys, std::int32_t firstNormal);
+  std::int32_t bornNormal(std::int32_t k, const UnitBatch& batch, std::int32_t unit) const;
   void addNormalFaces(const UnitBatch& batch, std::span<const std::int32_t> units, TileParts& parts) const;
   void addFrames(TileParts& parts) const;
   void collectLimits();
@@ -118,7 +120,24 @@ class TileAssembler {
   void touchPoint(std::int32_t k, std::int32_t point);
   void import(std::int32_t point);
   void addImports(TileParts& parts);
-  void addSteps(std::int32_t k, TileParts& parts);
+  /// Chains of one step, those of one batch, ownership and last level, have equal keys but for the unit:
+  ///     | batch | not owned 1 | last 7 | unit 32 |
+  static constexpr int kUnitBits = 32;
+  /// Calls visit(keys of the chains of a step) for the steps of level k, in their order.
+  template <class Visit>
+  void forSteps(std::int32_t k, const Visit& visit) const {
+    const std::span<const std::uint64_t> births = births_[static_cast<std::size_t>(k - plan_.units.root() - 1)];
+    for (std::size_t begin = 0; begin < births.size();) {
+      std::size_t end = begin + 1;
+      while (end < births.size() && births[end] >> kUnitBits == births[begin] >> kUnitBits) ++end;
+      visit(births.subspan(begin, end - begin));
+      begin = end;
+    }
+  }
+  static std::uint64_t keyOf(std::int32_t batch, bool owned, std::int32_t last, std::int32_t unit);
+  static std::int32_t lastOf(std::uint64_t key);
+  static bool ownedOf(std::uint64_t key);
+  static std::int32_t unitOf(std::uint64_t key) { return static_cast<std::int32_t>(key & 0xffffffffu); }
   void addStep(std::int32_t k, std::span<const std::uint64_t> keys, TileParts& parts);
   void addStages(std::int32_t k, const UnitBatch& batch, std::span<const std::uint64_t> keys, bool owned,
                  TileStep& step, TileParts& parts);
@@ -138,6 +157,7 @@ class TileAssembler {
   std::vector<std::vector<std::uint64_t>> births_;  // per level: keys of the chains held
   std::vector<Import> normalsHeld_;                 // per normal
   std::vector<std::int32_t> normals_;               // those held: shared ones, then others by place
+  std::vector<std::int32_t> born_;                  // those of a step's faces
 };
 
 }  // namespace honeycomb::Far

@@ -5,6 +5,12 @@
 
 namespace honeycomb::Far {
 
+namespace {
+
+constexpr std::int32_t kUnnumbered = -1;
+
+}  // namespace
+
 /// The normals that the tile's own points of the last level take, and the corners these are found from.
 void TileAssembler::collectNormals() {
   normals_.clear();
@@ -25,19 +31,77 @@ void TileAssembler::touchNormal(std::int32_t normal) {
 
 void TileAssembler::numberNormals(TileParts& parts) {
   const TileNormalPlan& plan = *plan_.normals;
+  std::int32_t next = 0;
+  for (const std::int32_t normal : normals_) normalsHeld_[at(normal)].number = kUnnumbered;
+  const std::size_t firstBorn = parts.normals.born.size();
+  for (std::int32_t k = plan_.units.root() + 1; k <= plan_.units.last(); ++k) {
+    forSteps(k, [&](std::span<const std::uint64_t> keys) {
+      parts.normals.born.push_back(numberBorn(k, keys, next));
+      if (parts.normals.born.back().firstNormal >= 0) next += static_cast<std::int32_t>(keys.size());
+    });
+  }
+  const auto bornEnd = std::partition(normals_.begin(), normals_.end(), [&](std::int32_t normal) {
+    return normalsHeld_[at(normal)].number == kUnnumbered;
+  });
+  // Behind the others.
+  const auto others = static_cast<std::int32_t>(bornEnd - normals_.begin());
+  for (auto born = bornEnd; born != normals_.end(); ++born) normalsHeld_[at(*born)].number += others;
+  for (TileBorn& born : std::span(parts.normals.born).subspan(firstBorn)) {
+    if (born.firstNormal >= 0) born.firstNormal += others;
+  }
+  TileNormalRange range;
+  range.normalCount = static_cast<std::int32_t>(normals_.size());
+  normals_.erase(bornEnd, normals_.end());
   std::ranges::sort(normals_);
   const auto own = std::stable_partition(normals_.begin(), normals_.end(),
                                          [&](std::int32_t normal) { return plan.shared(normal) >= 0; });
-  TileNormalRange range;
   range.firstImport = static_cast<std::int32_t>(parts.normals.imports.size());
   range.importCount = static_cast<std::int32_t>(own - normals_.begin());
-  range.normalCount = static_cast<std::int32_t>(normals_.size());
   parts.largestTile = std::max(parts.largestTile, range.normalCount);
   for (std::size_t i = 0; i < normals_.size(); ++i) {
     normalsHeld_[at(normals_[i])].number = static_cast<std::int32_t>(i);
     if (i < at(range.importCount)) parts.normals.imports.push_back(plan.shared(normals_[i]));
   }
   parts.normals.tiles.push_back(range);
+}
+
+/// Numbers the normals of the faces of a step from `firstNormal` on, where these are found from what the step reads.
+TileBorn TileAssembler::numberBorn(std::int32_t k, std::span<const std::uint64_t> keys, std::int32_t firstNormal) {
+  const TileUnits& units = plan_.units;
+  const UnitBatch& batch = units.level(k).batchOf(unitOf(keys.front()));
+  if (batch.kind != UnitBatch::Kind::circulant || !ownedOf(keys.front()) || lastOf(keys.front()) < units.last()) {
+    return {};
+  }
+  born_.clear();
+  for (const std::uint64_t key : keys) {
+    const std::int32_t normal = bornNormal(k, batch, unitOf(key));
+    if (normal < 0) return {};
+    born_.push_back(normal);
+  }
+  const std::int32_t frames = plan_.normals->placeOf(born_.front()).batch;
+  for (const std::int32_t normal : born_) {
+    if (plan_.normals->placeOf(normal).batch != frames) return {};
+  }
+  std::int32_t next = firstNormal;
+  for (const std::int32_t normal : born_) normalsHeld_[at(normal)].number = next++;
+  return {firstNormal, plan_.normals->firstWeight(k - 1) + plan_.normals->batchAt(k - 1, frames).firstWeight};
+}
+
+/// The normal of the face that a unit of level k is born from, -1 if it is found from other points than the unit reads.
+std::int32_t TileAssembler::bornNormal(std::int32_t k, const UnitBatch& batch, std::int32_t unit) const {
+  const TileUnits& units = plan_.units;
+  const TileNormalPlan& plan = *plan_.normals;
+  const LevelUnits& last = units.level(units.last());
+  const std::int32_t end = units.unitAt(units.level(k).firstChain + unit, units.last());
+  // A corner point names its own face's normal first.
+  std::int32_t own = -1;
+  plan.rule().visit(last.firstOutput(last.batchOf(end), end), [&](std::int32_t normal) {
+    if (own < 0) own = normal;
+  });
+  if (own < 0 || plan.shared(own) >= 0) return -1;
+  const TileNormalPlan::Place place = plan.placeOf(own);
+  const bool same = place.level == k - 1 && std::ranges::equal(place.corners, units.level(k).sources(batch, unit));
+  return same ? own : -1;
 }
 
 void TileAssembler::addNormalFaces(const UnitBatch& batch, std::span<const std::int32_t> units,

@@ -29,6 +29,7 @@ struct Joined {
     corners,
     firstFaces,
     faces,
+    born,
     limitRanges,
     vertexFrames,
     vertexIndices,
@@ -53,6 +54,7 @@ void forArrays(TileParts& part, TileTable& table, const Visit& visit) {
   visit(Joined::corners, part.normals.indices, table.normals.indices);
   visit(Joined::firstFaces, part.normals.firstFace, table.normals.firstFace);
   visit(Joined::faces, part.normals.faces, table.normals.faces);
+  visit(Joined::born, part.normals.born, table.normals.born);
   visit(Joined::limitRanges, part.limits.tiles, table.limits.tiles);
   visit(Joined::vertexFrames, part.limits.frames, table.limits.frames);
   visit(Joined::vertexIndices, part.limits.indices, table.limits.indices);

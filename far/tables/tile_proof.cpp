@@ -147,6 +147,8 @@ class TileProof {
     }
     if (count > range.normalCount || range.normalCount > normals.largestTile) return "it has too many normals";
     for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
+      if (!areBorn(table_.steps[at(s)], normals.born[at(s)], range.normalCount))
+        return "the normals of a step's faces aren't there";
       if (normals.firstFace[at(s)] >= 0 && !areSums(at(s), range.normalCount))
         return "a point sums normals that the tile hasn't";
     }
@@ -162,6 +164,12 @@ class TileProof {
     return liesWithin(frames.firstWeight, 3 * std::int64_t{frames.sides}, weights) &&
            liesWithin(frames.firstIndex, read, std::ssize(indices)) &&
            areTilePoints(indices.subspan(at(frames.firstIndex), at(read)), points);
+  }
+
+  bool areBorn(const TileStep& step, const TileBorn& born, std::int32_t normalCount) const {
+    if (born.firstNormal < 0) return born.firstNormal == -1;
+    return step.kind == TileStep::Kind::circulant && liesWithin(born.firstNormal, step.count, normalCount) &&
+           liesWithin(born.firstWeight, 3 * std::int64_t{step.width}, std::ssize(table_.normals.weights));
   }
 
   /// The normals that the last level's points of a step sum.
@@ -330,7 +338,8 @@ Result<void> proveRowsOf(const LimitRows& rows, std::int32_t points, std::int32_
 Result<void> proveSharedNormals(const TileTable& tiles, std::int32_t sharedPoints) {
   const TileNormals& normals = tiles.normals;
   if (normals.tiles.size() != tiles.tiles.size() || normals.firstFace.size() != tiles.steps.size() ||
-      std::ssize(normals.shared) != tiles.lastLevel || normals.weights.size() != normals.weightsSingle.size())
+      normals.born.size() != tiles.steps.size() || std::ssize(normals.shared) != tiles.lastLevel ||
+      normals.weights.size() != normals.weightsSingle.size())
     return unsoundTiles("their normals are of other tiles");
   std::int64_t elements = 0;
   for (const LimitRows& rows : normals.shared) elements += std::ssize(rows.elements);

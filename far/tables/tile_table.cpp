@@ -187,7 +187,7 @@ std::int64_t TileLimits::byteCount() const {
 }
 
 std::int64_t TileNormals::byteCount() const {
-  std::int64_t total = bytes(tiles) + bytes(imports) + bytes(frames) + bytes(indices) + bytes(firstFace) +
+  std::int64_t total = bytes(tiles) + bytes(imports) + bytes(frames) + bytes(indices) + bytes(firstFace) + bytes(born) +
                        bytes(faces) + bytes(weights) + bytes(weightsSingle);
   for (const LimitRows& rows : shared) total += rows.byteCount();
   return total;

@@ -139,7 +139,13 @@ struct TileFrames {
   std::int32_t firstWeight = 0;  ///< in TileNormals::weights: as FrameBatch has them, a and b alone are used
 };
 
-/// The face normals a tile knows, numbered from 0: those imported, then those of its frames.
+/// The normals of all faces of a step, which are found from the points that it reads anyway: FrameBatch on these.
+struct TileBorn {
+  std::int32_t firstNormal = -1;  ///< the tile's own number of the first face's, the others follow; -1: none
+  std::int32_t firstWeight = 0;   ///< in TileNormals::weights: as FrameBatch has them, a and b alone are used
+};
+
+/// The face normals a tile knows, numbered from 0: those imported, those of its frames, those of its steps' faces.
 struct TileNormalRange {
   std::int32_t firstImport = 0;
   std::int32_t importCount = 0;
@@ -160,6 +166,7 @@ struct TileNormals {
   /// Normals are kept as points are: twice their number.
   Array<std::int32_t> firstFace;
   Array<TilePoint> faces;
+  Array<TileBorn> born;  ///< one a step
   std::int32_t neighbours = 1;
   Array<double> weights;
   Array<float> weightsSingle;

@@ -13,6 +13,7 @@
 #include "osd/simd/circulant-inl.h"
 #include "osd/simd/points-inl.h"
 #include "osd/simd/sinks-inl.h"
+#include "osd/simd/unit_vectors-inl.h"
 #include "osd/tile_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -39,6 +40,7 @@ struct StepFaces {
   std::int32_t stages;
   StageTarget targets[kMostStages];
   const float* weights[kMostStages];
+  float* crosses = nullptr;  ///< where T1 x T2 of each face goes, kTileStride apart, if wanted
 
   StepFaces(const Far::TileTable& table, const TileStep& s, const Kernels::TileViews<float>& views,
             std::int32_t stageCount)
@@ -47,6 +49,9 @@ struct StepFaces {
       targets[i] = Kernels::stageTarget(table, s, i, views.level, views.last);
       weights[i] = table.weightsSingle.data() + table.stages[at(s.firstStage + i)].firstWeight;
     }
+    const auto number = static_cast<std::int32_t>(&s - table.steps.data());
+    if (views.normals == nullptr || !crossedAtBirth(table, number)) return;
+    crosses = views.normals + std::int64_t{kTileStride} * table.normals.born[at(number)].firstNormal;
   }
 };
 
@@ -78,6 +83,7 @@ template <CirculantForm kForm, int N, bool kFours, class D, class Sink>
 HWY_INLINE std::int32_t evolve(D d, const StepFaces& faces, std::int32_t face, std::int32_t end, Sink sink) {
   const Circulant<kForm, N, D> kernel(d, faces.weights[0]);
   float* const own = faces.own;
+  float* const crosses = faces.crosses;
   const StageTarget* const first = faces.targets;
   const StageTarget* const last = first + faces.stages - 1;
   const TilePoint* index = faces.index + at(face) * N;
@@ -86,6 +92,9 @@ HWY_INLINE std::int32_t evolve(D d, const StepFaces& faces, std::int32_t face, s
     hn::Vec<D> out[N];
     HWY_UNROLL(8)
     for (int i = 0; i < N; ++i) p[i] = loadOwn(d, own, index + i, N);
+    if constexpr (N == 4 || N == 6) {
+      if (crosses != nullptr) hn::StoreU(crossOfCorners<N>(d, p), d, crosses + std::int64_t{kTileStride} * face);
+    }
     for (const StageTarget* stage = first;; ++stage) {
       kernel(p, out);
       storeStage<kFours>(d, out, N, *stage, face, own, sink);

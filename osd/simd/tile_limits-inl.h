@@ -85,7 +85,7 @@ void limitNormals(const Far::TileTable& table, std::int32_t tile, const float* p
                               limits.indices.data() + group.firstIndex, Kernels::outputsFrom(table, group.firstOutput)};
     if (group.sides == 0) {
       zeroVectors(frames, sink);
-    } else if (group.sides != 6 || !areDifferences<6>(frames.weights)) {
+    } else if (group.sides != 6 || !areDifferences<6>(frames.weights + 6)) {
       groupOfFrames<SpanWeights, 0, 0>(frames, sink);
     } else {
       forCommonSides(group.each,

@@ -71,14 +71,6 @@ struct Differences {
   HWY_INLINE Differences(D, const float*, int) {}
 };
 
-/// Is that what `weights` are?
-template <int N>
-HWY_INLINE bool areDifferences(const float* weights) {
-  if constexpr (N == 4) return std::equal(Far::kQuadSpan.begin(), Far::kQuadSpan.end(), weights + N);
-  if constexpr (N == 6) return std::equal(Far::kHexagonSpan.begin(), Far::kHexagonSpan.end(), weights + N);
-  return false;
-}
-
 /// A x B of the K faces whose n corners begin at `index`, `step` apart.
 template <int N, class D>
 HWY_INLINE hn::Vec<D> spanCross(D d, const SpanWeights<N, D>& w, const float* points, const Far::TilePoint* index,
@@ -101,8 +93,7 @@ HWY_INLINE hn::Vec<D> spanCross(D d, const Differences<N, D>&, const float* poin
   hn::Vec<D> p[N];
   HWY_UNROLL(8)
   for (int j = 0; j < N; ++j) p[j] = loadOwn(d, points, index + j, step);
-  if constexpr (N == 4) return cross(d, p[0] - p[2], p[1] - p[3]);
-  if constexpr (N == 6) return cross(d, ((p[0] + p[1]) - p[3]) - p[4], ((p[1] + p[2]) - p[4]) - p[5]);
+  return crossOfCorners<N>(d, p);
 }
 
 /// What tangents are crossed on. Measured on AVX-512: 5 % less time than on sixteen lanes, since of the three ports for
@@ -137,26 +128,68 @@ void normalsOfFrames(const Far::TileFrames& frames, const float* w, const Far::T
   frameNormals<Weights, N, 1>(Block(), frames, w, index, points, normals, g);
 }
 
-HWY_INLINE void faceNormals(const Far::TileNormals& table, const Far::TileNormalRange& tile, const float* points,
-                            const Kernels::NormalViews<float>& views) {
-  float* normals = views.scratch;
-  for (std::int32_t i = 0; i < tile.importCount; ++i, normals += Kernels::kTileStride) {
-    const float* from = views.shared.point(table.imports[at(tile.firstImport + i)]);
-    std::copy_n(from, 3, normals);
-    normals[3] = 0;
-  }
-  for (std::int32_t b = tile.firstFrames; b < tile.firstFrames + tile.framesCount; ++b) {
-    const Far::TileFrames& frames = table.frames[at(b)];
-    const float* w = table.weightsSingle.data() + frames.firstWeight;
-    const Far::TilePoint* index = table.indices.data() + frames.firstIndex;
-    forCommonSides(frames.sides, [&](auto sides) {
-      constexpr int kSides = decltype(sides)::value;
-      if constexpr (kSides == 4 || kSides == 6) {
-        if (areDifferences<kSides>(w)) return normalsOfFrames<Differences, kSides>(frames, w, index, points, normals);
+/// Normals of faces of whatever shape.
+HWY_INLINE void normalsOfFaces(const Far::TileNormals& table, const Far::TileFrames& frames,
+                               const Far::TilePoint* index, const float* points, float* normals) {
+  const float* w = table.weightsSingle.data() + frames.firstWeight;
+  forCommonSides(frames.sides, [&](auto sides) {
+    constexpr int kSides = decltype(sides)::value;
+    if constexpr (kSides == 4 || kSides == 6) {
+      if (areDifferences<kSides>(w + kSides)) {
+        return normalsOfFrames<Differences, kSides>(frames, w, index, points, normals);
       }
-      normalsOfFrames<SpanWeights, kSides>(frames, w, index, points, normals);
-    });
-    normals += Kernels::kTileStride * frames.count;
+    }
+    normalsOfFrames<SpanWeights, kSides>(frames, w, index, points, normals);
+  });
+}
+
+/// Makes `count` vectors unit that follow each other.
+HWY_INLINE void makeRowUnit(float* v, std::int32_t count) {
+  const Packing d;
+  constexpr int kAtOnce = 4 * kBlocks<Packing>;
+  std::int32_t i = 0;
+  for (; i + kAtOnce <= count; i += kAtOnce, v += kAtOnce * Kernels::kTileStride) {
+    hn::Vec<Packing> four[4];
+    HWY_UNROLL(4)
+    for (int q = 0; q < 4; ++q) four[q] = hn::LoadU(d, v + q * 4 * kBlocks<Packing>);
+    makeUnit<4>(d, four);
+    HWY_UNROLL(4)
+    for (int q = 0; q < 4; ++q) hn::StoreU(four[q], d, v + q * 4 * kBlocks<Packing>);
+  }
+  const Block one;
+  for (; i < count; ++i, v += Kernels::kTileStride) {
+    BlockVector single = hn::LoadU(one, v);
+    makeUnit<1>(one, &single);
+    hn::StoreU(single, one, v);
+  }
+}
+
+HWY_INLINE void faceNormals(const Far::TileTable& table, std::int32_t number, const float* points,
+                            const Kernels::NormalViews<float>& views) {
+  const Far::TileNormals& normals = table.normals;
+  const Far::TileNormalRange& range = normals.tiles[at(number)];
+  const auto to = [&](std::int32_t normal) { return views.scratch + std::int64_t{Kernels::kTileStride} * normal; };
+  for (std::int32_t i = 0; i < range.importCount; ++i) {
+    std::copy_n(views.shared.point(normals.imports[at(range.firstImport + i)]), 3, to(i));
+    to(i)[3] = 0;
+  }
+  std::int32_t next = range.importCount;
+  for (std::int32_t b = range.firstFrames; b < range.firstFrames + range.framesCount; ++b) {
+    const Far::TileFrames& frames = normals.frames[at(b)];
+    normalsOfFaces(normals, frames, normals.indices.data() + frames.firstIndex, points, to(next));
+    next += frames.count;
+  }
+  const Far::Tile& tile = table.tiles[at(number)];
+  for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
+    const Far::TileBorn& born = normals.born[at(s)];
+    if (born.firstNormal < 0) continue;
+    const Far::TileStep& step = table.steps[at(s)];
+    if (crossedAtBirth(table, s)) {
+      makeRowUnit(to(born.firstNormal), step.count);
+    } else {
+      normalsOfFaces(normals, Kernels::bornFrames(step, born), table.indices.data() + step.firstIndex, points,
+                     to(born.firstNormal));
+    }
   }
 }
 

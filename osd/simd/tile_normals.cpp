@@ -19,7 +19,7 @@ void evaluateTileNormals(const Far::TileTable& table, std::int32_t tile, const f
                          const Kernels::NormalViews<float>& views) {
 #if HONEYCOMB_HAS_VECTORS
   const bool exact = table.normalKind == Far::TileNormalKind::exact;
-  if (!exact) faceNormals(table.normals, table.normals.tiles[at(tile)], points, views);
+  if (!exact) faceNormals(table, tile, points, views);
   withSmallSink(views.target, 3, views.stream, [&](auto sink) HWY_ATTR {
     exact ? limitNormals(table, tile, points, sink) : vertexNormals(table, table.tiles[at(tile)], views, sink);
   });

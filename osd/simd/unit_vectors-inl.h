@@ -8,9 +8,12 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
+#include "far/tables/limit_table.h"
+#include "far/tables/tile_table.h"
 #include "osd/simd/points-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -30,6 +33,35 @@ HWY_INLINE hn::Vec<D> turnedOnce(D d, hn::Vec<D> v) {
 template <class D>
 HWY_INLINE hn::Vec<D> cross(D d, hn::Vec<D> a, hn::Vec<D> b) {
   return turnedOnce(d, (a * turnedOnce(d, b) - turnedOnce(d, a) * b) + hn::Zero(d));
+}
+
+/// Does a face with tangent weights `weights`, a | b of FrameBatch, have T1 x T2 = crossOfCorners of its corners?
+template <int N>
+HWY_INLINE bool areDifferences(const float* weights) {
+  if constexpr (N == 4) return std::equal(Far::kQuadSpan.begin(), Far::kQuadSpan.end(), weights);
+  if constexpr (N == 6) return std::equal(Far::kHexagonSpan.begin(), Far::kHexagonSpan.end(), weights);
+  return false;
+}
+
+/// Do the kernels of points leave T1 x T2 of the faces of step `s` of a table with fast normals?
+HWY_INLINE bool crossedAtBirth(const Far::TileTable& table, std::int32_t s) {
+  const Far::TileStep& step = table.steps[at(s)];
+  const Far::TileBorn& born = table.normals.born[at(s)];
+  if (born.firstNormal < 0 || (!step.sameWeights && step.stageCount > 1)) return false;
+#ifdef HONEYCOMB_NARROW_SIMD
+  if (step.form != Far::CirculantForm::quad && step.form != Far::CirculantForm::hexagon) return false;
+#endif
+  const float* w = table.normals.weightsSingle.data() + born.firstWeight + step.width;
+  return step.width == 4 ? areDifferences<4>(w) : step.width == 6 && areDifferences<6>(w);
+}
+
+/// T1 x T2 of faces of four or six corners p whose weights are Far::kQuadSpan or kHexagonSpan, which nobody needs to
+/// multiply with.
+template <int N, class D>
+HWY_INLINE hn::Vec<D> crossOfCorners(D d, const hn::Vec<D>* p) {
+  static_assert(N == 4 || N == 6);
+  if constexpr (N == 4) return cross(d, p[0] - p[2], p[1] - p[3]);
+  if constexpr (N == 6) return cross(d, ((p[0] + p[1]) - p[3]) - p[4], ((p[1] + p[2]) - p[4]) - p[5]);
 }
 
 /// The squares of the lengths of the blocks of one to four vectors: lane i of a block is that of v[i].

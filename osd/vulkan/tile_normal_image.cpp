@@ -2,6 +2,7 @@
 #include <bit>
 
 #include "far/base/index.h"
+#include "osd/tile_normal_kernels.h"
 #include "osd/vulkan/tile_image.h"
 
 namespace honeycomb::Osd {
@@ -27,12 +28,19 @@ void TileImageBuilder::addFastNormals(std::int32_t number) {
   TileWord place = firstNormal_ + static_cast<TileWord>(range.importCount);
   for (const Far::TileFrames& frames :
        std::span(normals.frames).subspan(at(range.firstFrames), at(range.framesCount))) {
-    addFaceNormals(frames, place);
+    addFaceNormals(frames, normals.indices.data() + frames.firstIndex, place);
     place += static_cast<TileWord>(frames.count);
+  }
+  const Far::Tile& tile = table_.tiles[at(number)];
+  for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
+    const Far::TileBorn& born = normals.born[at(s)];
+    if (born.firstNormal < 0) continue;
+    const TileStep& step = table_.steps[at(s)];
+    addFaceNormals(Kernels::bornFrames(step, born), table_.indices.data() + step.firstIndex,
+                   firstNormal_ + static_cast<TileWord>(born.firstNormal));
   }
   if (begin < steps_.size()) steps_[begin + 6] = 1;
   const std::size_t vertices = steps_.size();
-  const Far::Tile& tile = table_.tiles[at(number)];
   for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
     if (normals.firstFace[at(s)] < 0) continue;
     const TileStep& step = table_.steps[at(s)];
@@ -51,11 +59,10 @@ void TileImageBuilder::addImportedNormals(std::span<const std::int32_t> normals,
            0);
 }
 
-void TileImageBuilder::addFaceNormals(const Far::TileFrames& frames, TileWord place) {
+void TileImageBuilder::addFaceNormals(const Far::TileFrames& frames, const Far::TilePoint* index, TileWord place) {
   const auto sides = static_cast<TileWord>(frames.sides);
   const TileWord weights = tangentWeights(table_.normals.weightsSingle, frames.firstWeight, frames.sides);
   const TileWord first = texels();
-  const Far::TilePoint* index = table_.normals.indices.data() + frames.firstIndex;
   std::vector<TileWord> corners(sides);
   for (std::int32_t g = 0; g < frames.count; ++g, index += frames.sides) {
     std::transform(index, index + sides, corners.begin(), [&](Far::TilePoint p) { return ownNumber(p); });

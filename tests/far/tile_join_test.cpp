@@ -26,6 +26,7 @@ Far::TileParts tilePart() {
   part.normals.indices = {1, 2};
   part.normals.firstFace = {-1, 1};
   part.normals.faces = {3, 4, 5};
+  part.normals.born.push_back({5, 6});
   part.limits.tiles.resize(1, {});
   part.limits.frames.resize(1, {});
   part.limits.indices = {6, 7, 8, 9};
@@ -55,6 +56,8 @@ TEST(TileJoin, MovesPlacesOnByWhatStandsBefore) {
   EXPECT_EQ(table.outputs, (Array<std::int32_t>{10, 20, 30, 10, 20, 30}));
   EXPECT_EQ(table.normals.frames[1].firstIndex, 2);
   EXPECT_EQ(table.normals.firstFace, (Array<std::int32_t>{-1, 1, -1, 4}));
+  EXPECT_EQ(table.normals.born[1].firstNormal, 5) << "numbers of a tile stay";
+  EXPECT_EQ(table.normals.born[1].firstWeight, 6);
   EXPECT_EQ(table.limits.tiles[1].firstFrames, 1);
   EXPECT_EQ(table.limits.frames[1].firstIndex, 4);
   EXPECT_EQ(table.limits.frames[1].firstOutput, 3);

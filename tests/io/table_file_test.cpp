@@ -85,6 +85,37 @@ TEST(TableFile, GivesTheSameBitsForCreases) {
   }
 }
 
+/// The table of a single tile as it was made before TileBorn was known: all normals have frames and corners.
+Far::TileTable withFramesAlone(Far::TileTable tiles) {
+  Far::TileNormals& normals = tiles.normals;
+  for (std::size_t s = 0; s < tiles.steps.size(); ++s) {
+    const Far::TileStep& step = tiles.steps[s];
+    const Far::TileBorn& born = normals.born[s];
+    if (born.firstNormal < 0) continue;
+    normals.frames.push_back(
+        {step.width, step.count, static_cast<std::int32_t>(normals.indices.size()), born.firstWeight});
+    const auto index = tiles.indices.begin() + step.firstIndex;
+    normals.indices.append(index, index + std::ptrdiff_t{step.count} * step.width);
+  }
+  normals.tiles[0].framesCount = static_cast<std::int32_t>(normals.frames.size());
+  normals.born = {};
+  return tiles;
+}
+
+TEST(TableFile, MayHaveFramesOfAllNormals) {
+  const Far::Refinement refinement = tableRefinement(honeycomb::Test::cube(), 3);
+  const Far::TileTable tiles = must(Far::buildTileTable(refinement, {.normals = Far::TileNormalKind::fast}));
+  ASSERT_EQ(tiles.tiles.size(), 1U);
+  const Far::TileTable before = withFramesAlone(tiles);
+  ASSERT_GT(before.normals.frames.size(), tiles.normals.frames.size());
+  const TableFile file = must(readTable(tableBytes(refinement, &before)));
+  must(file.check());
+  for (const Instructions instructions : {Instructions::plain, Instructions::vectors}) {
+    EXPECT_EQ(pointsByTiles(must(file.levels()), *must(file.tiles()), instructions),
+              pointsByTiles(refinement, tiles, instructions));
+  }
+}
+
 TEST(TableFile, IsUsedWhereItStands) {
   const Far::Refinement refinement = tableRefinement(honeycomb::Test::cube(), 2);
   const TableFile file = must(readTable(tableBytes(refinement)));

@@ -132,6 +132,23 @@ TEST(TileNormal, IsWithinAHalfDegreeOfTheExactNormalOnAverage) {
   EXPECT_LT(worst, 15.0);
 }
 
+/// What a closed mesh's tile writes is of faces whose corners its steps read: frames of their own have only those round
+/// it.
+TEST(TileNormal, OfATilesOwnFacesNeedsNoCornersOfItsOwn) {
+  const Far::Refinement refinement = refined(torus(24, 20), schemeCase(NamedTension::paper).scheme, 3);
+  const auto tiles = Far::buildTileTable(refinement, {.scratchPoints = 4000, .normals = Far::TileNormalKind::fast});
+  ASSERT_TRUE(tiles.has_value()) << tiles.error().message;
+  std::int32_t born = 0;
+  for (std::size_t s = 0; s < tiles->steps.size(); ++s) {
+    if (tiles->normals.born[s].firstNormal >= 0) born += tiles->steps[s].count;
+  }
+  EXPECT_EQ(born, refinement.level(2).topology.faceCount());
+  std::int32_t framed = 0;
+  for (const Far::TileFrames& frames : tiles->normals.frames) framed += frames.count;
+  EXPECT_GT(framed, 0);
+  EXPECT_LT(framed, born / 2);
+}
+
 TEST(TileNormal, IsRefusedWhereTheTilesHaveNone) {
   const Far::Refinement refinement = refined(cube(), schemeCase(NamedTension::paper).scheme, 2);
   const std::vector<float> control(24);
