@@ -98,9 +98,12 @@ template <class Real>
 void TileEvaluator::evaluateTile(const Far::TileTable& tiles, std::int32_t number, std::int32_t level,
                                  const PointsOut<Real>& refined, const PointsOut<Real>& normals,
                                  const TileShared<Real>& shared, const Scratch<Real>& scratch) const {
+  const auto bytesOf = [&](const PointsOut<Real>& target) {
+    return target.data.empty() ? 0 : target.desc.extent(tiles.pointCount[at(level)]) * std::int64_t{sizeof(Real)};
+  };
+  const bool tooMuch = bytesOf(refined) + bytesOf(normals) >= options_.cachedBytes;
   const auto streamOf = [&](const PointsOut<Real>& target) {
-    const std::int64_t bytes = target.desc.extent(tiles.pointCount[at(level)]) * std::int64_t{sizeof(Real)};
-    return bytes >= options_.streamedBytes ? scratch.stream : nullptr;
+    return tooMuch || bytesOf(target) >= options_.streamedBytes ? scratch.stream : nullptr;
   };
   const Points<Real>& root = shared.root();
   const Far::Tile& tile = tiles.tiles[at(number)];

@@ -1,22 +1,40 @@
 #include "osd/tile_size.h"
 
-#include <unistd.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <limits>
 
 #include "far/base/parallel.h"
 
 namespace honeycomb::Osd {
 
+namespace {
+
+// In bytes; 0 where the system doesn't tell. Linux alone says what one processor reaches: sysconf() adds up the
+// last-level caches of the whole machine.
+std::int64_t cacheSize(int level) {
+  std::ifstream file(fmt::format("/sys/devices/system/cpu/cpu0/cache/index{}/size", level));
+  std::int64_t size = 0;
+  char unit = 0;
+  if (!(file >> size >> unit) || size <= 0 || size > std::numeric_limits<std::int32_t>::max()) return 0;
+  return unit == 'K' ? size << 10 : unit == 'M' ? size << 20 : 0;
+}
+
+}  // namespace
+
 std::int32_t tilePoints() {
   constexpr std::int64_t kPointBytes = 16;
   constexpr std::int64_t kUnknown = 8192 * 2 * kPointBytes;
-  std::int64_t cache = 0;
-#ifdef _SC_LEVEL2_CACHE_SIZE
-  cache = sysconf(_SC_LEVEL2_CACHE_SIZE);
-#endif
-  if (cache <= 0) cache = kUnknown;
+  static const std::int64_t known = cacheSize(2);
+  const std::int64_t cache = known > 0 ? known : kUnknown;
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(cache / 2 / kPointBytes, 4096, 32768));
+}
+
+std::int64_t cachedBytes() {
+  static const std::int64_t cache = cacheSize(3);
+  return cache > 0 ? cache / 4 * 3 : std::numeric_limits<std::int64_t>::max();
 }
 
 Far::TileOptions cpuTileOptions(Far::TileNormalKind normals) {
