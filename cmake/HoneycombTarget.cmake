@@ -34,6 +34,11 @@ if(HONEYCOMB_SANITIZE)
     target_link_options(honeycomb_sanitize INTERFACE $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:-no-pie>)
   endif()
   target_link_options(honeycomb_sanitize INTERFACE -fsanitize=${HONEYCOMB_SANITIZE})
+  # LLVM's linker takes a quarter of the time that GNU's takes for programs with these.
+  find_program(HONEYCOMB_LLD NAMES ld.lld-14 ld.lld)
+  if(HONEYCOMB_LLD AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_link_options(honeycomb_sanitize INTERFACE --ld-path=${HONEYCOMB_LLD})
+  endif()
   target_compile_definitions(honeycomb_sanitize INTERFACE HONEYCOMB_SANITIZED)  # gcc and clang each say so in their own way
 endif()
 
