@@ -2,6 +2,7 @@ honeycomb_test(bench_tests
   SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/comparison_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/meshes_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/../vulkan/lsan_suppressions.cpp
   LIBRARIES honeycomb::bench_kit)
 
 find_package(Python3 COMPONENTS Interpreter)

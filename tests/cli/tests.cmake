@@ -14,6 +14,11 @@ target_compile_definitions(cli_test_support PRIVATE HONEYCOMB_PROGRAM="$<TARGET_
                                                     HONEYCOMB_SIGNAL_AT_WRITE="$<TARGET_FILE:cli_signal_at_write>"
                                                     HONEYCOMB_MPIRUN="${MPIEXEC_EXECUTABLE}")
 
+# The program's leaks are its own: what drivers leave behind is passed over.
+if(HONEYCOMB_VULKAN AND HONEYCOMB_SANITIZE)
+  target_sources(honeycomb PRIVATE ${CMAKE_CURRENT_LIST_DIR}/../vulkan/lsan_suppressions.cpp)
+endif()
+
 # The built program, run on real files.
 honeycomb_test(cli_test
   SHARDS 4
