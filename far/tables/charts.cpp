@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "far/base/index.h"
 #include "far/base/parallel.h"
@@ -20,6 +21,9 @@ constexpr double kFarthest = 16;
 /// Of values on the two sides of a crease, relative to the largest there is.
 constexpr double kCreaseRounding = 1e-9;
 
+/// Round a vertex of more faces walks are remembered.
+constexpr std::int32_t kFewFaces = 16;
+
 double cross(std::complex<double> a, std::complex<double> b) {
   return a.real() * b.imag() - a.imag() * b.real();
 }
@@ -37,7 +41,9 @@ Charts::Charts(const Topology& topology, std::span<const std::int32_t> corners, 
   if (!mayHaveSeams) return;
   for (const double x : values) tolerance_ = std::max(tolerance_, kCreaseRounding * std::abs(x));
   findSeams();
-  if (seams_ && planar()) findFrames();
+  if (!seams_) return;
+  if (planar()) findFrames();
+  findRounds();
 }
 
 /// The half-edge on the other side of an edge or a crease.
@@ -129,56 +135,81 @@ void Charts::cross(std::int32_t h, Place& place) const {
   place.toChart[0] *= factor;
 }
 
-/// Round the vertex that `pivot` leaves, until found(h, place) for the half-edge h that leaves it in a face.
-template <class Found>
-Charts::Place Charts::walk(std::int32_t pivot, bool counterClockwise, const Found& found, std::int32_t& seams,
-                           std::int32_t& steps) const {
-  Place place;
-  std::int32_t h = pivot;
-  seams = steps = 0;
-  do {
-    const std::int32_t edge = counterClockwise ? topology_.prev(h) : h;
-    const std::int32_t t = across(edge);
-    if (t < 0) return {};
-    seams += isSeam(edge) ? 1 : 0;
-    ++steps;
-    cross(edge, place);
-    h = counterClockwise ? t : topology_.next(t);
-    if (found(h, place)) return place;
-  } while (h != pivot);
-  return {};
+bool Charts::Walk::betterThan(const Walk& other) const {
+  if (other.place.face < 0) return true;
+  return std::tie(seams, steps, order) < std::tie(other.seams, other.steps, other.order);
 }
 
-template <class Found>
-Charts::Place Charts::search(std::span<const std::int32_t> pivots, const Found& found) const {
-  Place best;
-  std::int32_t bestSeams = 0;
-  std::int32_t bestSteps = 0;
+/// To the next face round the vertex; false when there is none, or it is the first again.
+bool Charts::step(Walk& walk) const {
+  const std::int32_t edge = walk.counterClockwise() ? topology_.prev(walk.h) : walk.h;
+  const std::int32_t t = across(edge);
+  if (t < 0) return false;
+  walk.seams += isSeam(edge) ? 1 : 0;
+  ++walk.steps;
+  cross(edge, walk.place);
+  walk.h = walk.counterClockwise() ? t : topology_.next(t);
+  return walk.h != walk.pivot;
+}
+
+/// The best of the ways remembered(round) from those pivots that have a round, and the walks from the others both ways,
+/// side by side, until found(h, place) for the half-edge h that leaves the vertex in a face, or they can't become
+/// better than the best so far.
+template <class Remembered, class Found>
+Charts::Walk Charts::search(std::span<const std::int32_t> pivots, const Remembered& remembered,
+                            const Found& found) const {
+  Walk best;
+  std::vector<Walk> walks;
+  std::int32_t order = 0;
   for (const std::int32_t pivot : pivots) {
-    for (const bool counterClockwise : {true, false}) {
-      std::int32_t seams = 0;
-      std::int32_t steps = 0;
-      const Place place = walk(pivot, counterClockwise, found, seams, steps);
-      const bool better = best.face < 0 || seams < bestSeams || (seams == bestSeams && steps < bestSteps);
-      if (place.face < 0 || !better) continue;
-      best = place;
-      bestSeams = seams;
-      bestSteps = steps;
+    if (const Round* round = roundFrom(pivot); round != nullptr) {
+      Walk walk = remembered(*round);
+      walk.order += order;
+      if (walk.place.face >= 0 && walk.betterThan(best)) best = walk;
+    } else {
+      for (const std::int32_t way : {0, 1}) walks.push_back({pivot, order + way, pivot, 0, 0, {}});
     }
+    order += 2;
   }
+  std::size_t walked = 0;
+  while (!walks.empty()) {
+    walked += walks.size();
+    std::erase_if(walks, [&](Walk& walk) {
+      if (!step(walk) || !walk.betterThan(best)) return true;
+      const bool there = found(walk.h, walk.place);
+      if (there) best = walk;
+      return there;
+    });
+  }
+  best.place.walked = static_cast<std::int32_t>(walked);
   return best;
 }
 
 Charts::Place Charts::findFace(std::int32_t face, std::span<const std::int32_t> pivots) const {
-  return search(pivots, [&](std::int32_t h, Place& place) {
+  const auto remembered = [&](const Round& round) {
+    const Walk* way = wayTo(round, face);
+    return way == nullptr ? Walk() : *way;
+  };
+  const auto found = [&](std::int32_t h, Place& place) {
     if (topology_.face(h) != face) return false;
     place.face = face;
     return true;
-  });
+  };
+  return search(pivots, remembered, found).place;
 }
 
 Charts::Place Charts::findVertex(std::int32_t v, std::span<const std::int32_t> pivots) const {
-  return search(pivots, [&](std::int32_t h, Place& place) {
+  const auto remembered = [&](const Round& round) {
+    Walk best;
+    for (const std::int32_t h : topology_.halfEdgesFrom(v)) {
+      const Walk* way = wayTo(round, topology_.face(h));
+      if (way == nullptr || !way->betterThan(best)) continue;
+      best = *way;
+      best.place.corner = h;
+    }
+    return best;
+  };
+  const auto found = [&](std::int32_t h, Place& place) {
     const std::int32_t f = topology_.face(h);
     if (topology_.dest(h) == v) {
       place.corner = topology_.next(h);
@@ -189,7 +220,52 @@ Charts::Place Charts::findVertex(std::int32_t v, std::span<const std::int32_t> p
     }
     if (place.corner >= 0) place.face = f;
     return place.corner >= 0;
+  };
+  return search(pivots, remembered, found).place;
+}
+
+const Charts::Walk* Charts::wayTo(const Round& round, std::int32_t face) {
+  const auto way = std::ranges::lower_bound(round.ways, face, {}, [](const Walk& walk) { return walk.place.face; });
+  return way == round.ways.end() || way->place.face != face ? nullptr : &*way;
+}
+
+const Charts::Round* Charts::roundFrom(std::int32_t pivot) const {
+  const auto round = std::ranges::lower_bound(rounds_, pivot, {}, &Round::pivot);
+  return round == rounds_.end() || round->pivot != pivot ? nullptr : &*round;
+}
+
+Charts::Round Charts::walkRound(std::int32_t pivot) const {
+  Round round{pivot, {}};
+  for (const std::int32_t order : {0, 1}) {
+    Walk walk{pivot, order, pivot, 0, 0, {}};
+    while (step(walk)) {
+      round.ways.push_back(walk);
+      round.ways.back().place.face = topology_.face(walk.h);
+    }
+  }
+  std::ranges::sort(round.ways, [](const Walk& a, const Walk& b) {
+    return a.place.face != b.place.face ? a.place.face < b.place.face : a.betterThan(b);
   });
+  const auto sameFace = [](const Walk& a, const Walk& b) { return a.place.face == b.place.face; };
+  round.ways.erase(std::unique(round.ways.begin(), round.ways.end(), sameFace), round.ways.end());
+  return round;
+}
+
+/// A face made from a vertex looks from the vertex's first face for all others round it.
+void Charts::findRounds() {
+  std::vector<std::int32_t> faces(at(topology_.vertexCount()), 0);
+  std::vector<std::uint8_t> met(at(topology_.vertexCount()), 0);
+  for (std::int32_t h = 0; h < topology_.halfEdgeCount(); ++h) {
+    ++faces[at(topology_.vert(h))];
+    if (touched(topology_.face(h))) met[at(topology_.vert(h))] = 1;
+  }
+  for (std::int32_t v = 0; v < topology_.vertexCount(); ++v) {
+    if (met[at(v)] != 0 && faces[at(v)] > kFewFaces) rounds_.push_back({topology_.outgoing(v), {}});
+  }
+  std::ranges::sort(rounds_, {}, &Round::pivot);
+  Parallel::forEach(
+      0, static_cast<std::int64_t>(rounds_.size()),
+      [&](std::int64_t i) { rounds_[at(i)] = walkRound(rounds_[at(i)].pivot); }, 1);
 }
 
 bool Charts::add(const Place& place, double weight, ChartRow& row) const {

@@ -43,14 +43,18 @@ class Charts {
   struct Place {
     std::int32_t face = -1;                             ///< -1: it was not found
     std::int32_t corner = -1;                           ///< the half-edge of the corner looked for
+    std::int32_t walked = 0;                            ///< edges that were crossed to find it, on all ways
     bool plain = true;                                  ///< no seam lies between
     bool continued = false;                             ///< `toChart` is meaningful
     std::array<std::complex<double>, 2> toChart{1, 0};  ///< factor and shift of the similarity
   };
   /// Face `face` seen from the chart of the face of `pivots`, half-edges of that face: round the vertices they leave,
-  /// the way that crosses the fewest seams, then the fewest edges.
+  /// the way that crosses the fewest seams, then the fewest edges, then the first. Takes as many steps as the way has
+  /// edges; where others may cross fewer seams, as far as these go. Round a vertex of many faces from its outgoing()
+  /// logarithmic: those walks are remembered.
   Place findFace(std::int32_t face, std::span<const std::int32_t> pivots) const;
-  /// The nearest face that has vertex v, in the same way.
+  /// The nearest face that has vertex v, in the same way; where a walk is remembered, linear in v's valence too, if
+  /// that is small.
   Place findVertex(std::int32_t v, std::span<const std::int32_t> pivots) const;
 
   /// A stencil row in the chart of a face. What is continued is summed up as a point of the chart's plane, and written
@@ -75,11 +79,30 @@ class Charts {
   }
 
  private:
-  template <class Found>
-  Place walk(std::int32_t pivot, bool counterClockwise, const Found& found, std::int32_t& seams,
-             std::int32_t& steps) const;
-  template <class Found>
-  Place search(std::span<const std::int32_t> pivots, const Found& found) const;
+  /// Where a walk round a vertex is, or ended.
+  struct Walk {
+    std::int32_t pivot = -1;  ///< the half-edge it began with
+    std::int32_t order = 0;   ///< of walks as good as each other the first counts
+    std::int32_t h = -1;      ///< the half-edge that leaves the vertex in the face it has come to; -1: it is over
+    std::int32_t seams = 0;
+    std::int32_t steps = 0;
+    Place place;
+    bool counterClockwise() const { return order % 2 == 0; }
+    bool betterThan(const Walk& other) const;
+  };
+  /// All faces round a vertex of many, ascending, and the best way to each from its outgoing().
+  struct Round {
+    std::int32_t pivot = -1;
+    std::vector<Walk> ways;
+  };
+
+  bool step(Walk& walk) const;
+  template <class Remembered, class Found>
+  Walk search(std::span<const std::int32_t> pivots, const Remembered& remembered, const Found& found) const;
+  const Round* roundFrom(std::int32_t pivot) const;
+  static const Walk* wayTo(const Round& round, std::int32_t face);
+  Round walkRound(std::int32_t pivot) const;
+  void findRounds();
   void cross(std::int32_t h, Place& place) const;
   std::int32_t across(std::int32_t h) const;
   bool equal(std::int32_t a, std::int32_t b) const;
@@ -97,6 +120,7 @@ class Charts {
   bool seams_ = false;
   std::vector<std::uint8_t> touched_;                // per face
   std::vector<std::array<std::int32_t, 3>> frames_;  // per face: half-edges of three corners that span the plane, or -1
+  std::vector<Round> rounds_;                        // of the vertices of many faces on seams, ascending
 };
 
 }  // namespace honeycomb::Far

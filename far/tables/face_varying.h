@@ -47,10 +47,9 @@ struct FaceVaryingLevel {
 /// Without a seam the tables are those of the refinement: the same bits as a primvar of the vertices.
 class FaceVarying {
  public:
-  /// Linear in the refinement, however large its faces, and at a vertex on a seam quadratic in its valence. Corners of
-  /// a vertex with equal values are taken for one value. Errors: invalidOption, naming face and corner (counted from
-  /// 0), for a corner whose value doesn't exist; for values that aren't finite, a length below 1 or spans of the wrong
-  /// size.
+  /// Linear in the refinement, however large its faces and vertices. Corners of a vertex with equal values are taken
+  /// for one value. Errors: invalidOption, naming face and corner (counted from 0), for a corner whose value doesn't
+  /// exist; for values that aren't finite, a length below 1 or spans of the wrong size.
   static Result<FaceVarying> build(const Refinement& refinement, const FaceVaryingChannel& channel);
 
   std::int32_t levelCount() const { return static_cast<std::int32_t>(levels_.size()) - 1; }

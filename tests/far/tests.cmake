@@ -2,6 +2,7 @@ set(honeycomb_far_tests
   array_test.cpp
   bounds_test.cpp
   bricks_test.cpp
+  charts_test.cpp
   circulant_form_test.cpp
   closed_forms_test.cpp
   conversions_test.cpp
