@@ -11,6 +11,11 @@ bool ChartRows::hasFaceRow(std::int32_t point) const {
   return kind == LevelRows::Kind::circulant || kind == LevelRows::Kind::projected;
 }
 
+bool ChartRows::readsSums(std::int32_t point) const {
+  const LevelRows::Kind kind = rows_.place(point).kind;
+  return kind == LevelRows::Kind::summed || kind == LevelRows::Kind::projected;
+}
+
 bool ChartRows::liesIn(std::int32_t point, std::int32_t face) const {
   bool inside = true;
   visitFaces(
@@ -18,7 +23,7 @@ bool ChartRows::liesIn(std::int32_t point, std::int32_t face) const {
       [&](std::int32_t p, double) {
         inside = inside && (p < old_.vertexCount() ? charts_.cornerOf(p, face) >= 0 : centralFace(p) == face);
       },
-      [&](const LevelRows::Sum& sum, double) { inside = inside && sums_.of(sum).face == face; });
+      [&](const LevelRows::Sum& sum, double) { inside = inside && sums_.liesIn(sum, face); });
   return inside;
 }
 
@@ -28,45 +33,58 @@ std::int32_t ChartRows::centralFace(std::int32_t point) const {
 }
 
 Row ChartRows::rowIn(std::int32_t point, const ChartCell& cell) const {
-  const std::vector<std::int32_t> pivots = charts_.hasSeams() ? pivotsOf(point, cell) : std::vector<std::int32_t>();
+  const Pivots pivots = charts_.hasSeams() ? pivotsOf(point, cell) : Pivots();
   Charts::ChartRow row;
   bool whole = true;
-  const auto take = [&](std::int32_t p, double w) { whole = addSource(p, w, cell.chart, pivots, row) && whole; };
-  if (hasFaceRow(point)) {
-    rows_.visit(point, take);
-  } else {
-    visitFaces(point, take, [&](const LevelRows::Sum& sum, double share) {
-      whole = addSum(sum, share, cell.chart, pivots, row) && whole;
-    });
-  }
+  visitFaces(
+      point, [&](std::int32_t p, double w) { whole = addSource(p, w, cell.chart, pivots, row) && whole; },
+      [&](const LevelRows::Sum& sum, double share) { whole = addSum(sum, share, cell.chart, pivots, row) && whole; });
   if (whole && charts_.close(cell.chart, row)) return std::move(row.row);
   return clampedRow(point, cell.chart, pivots);
 }
 
-std::vector<std::int32_t> ChartRows::pivotsOf(std::int32_t point, const ChartCell& cell) const {
-  if (cell.pivotCount > 0) return {cell.known().begin(), cell.known().end()};
-  std::vector<std::int32_t> pivots;
+ChartRows::Pivots ChartRows::pivotsOf(std::int32_t point, const ChartCell& cell) const {
+  if (cell.pivotCount > 0) return {{cell.known().begin(), cell.known().end()}, nullptr, false};
+  Pivots pivots;
   bool outside = false;
   visitFaces(
       point,
       [&](std::int32_t p, double) {
         const std::int32_t c = p < old_.vertexCount() ? charts_.cornerOf(p, cell.chart) : -1;
-        if (c >= 0) pivots.push_back(c);
+        if (c >= 0) pivots.corners.push_back(c);
         outside = outside || (c < 0 && (p < old_.vertexCount() || centralFace(p) != cell.chart));
       },
-      [&](const LevelRows::Sum& sum, double) { outside = outside || sums_.of(sum).face != cell.chart; });
+      [&](const LevelRows::Sum& sum, double) { outside = outside || !sums_.liesIn(sum, cell.chart); });
   if (!outside) return {};
-  // Where two halves of a face grow together, the other is seen over the cut.
-  const std::int32_t first = old_.faceOffsets()[at(cell.chart)];
-  for (std::int32_t h = first; h < first + old_.sides(cell.chart); ++h) {
-    if (old_.onBoundary(old_.vert(h))) pivots.push_back(h);
+  pivots.beyond = true;
+  if (old_.sides(cell.chart) > kLargestCirculant || sums_.firstOfMany(cell.chart)) {
+    pivots.further = &beyond(cell.chart);
+  } else {
+    const std::vector<std::int32_t> others = cornersBeyond(cell.chart);
+    pivots.corners.insert(pivots.corners.end(), others.begin(), others.end());
   }
-  if (pivots.empty()) pivots.push_back(first);
   return pivots;
 }
 
+/// Where two halves of a face grow together, the other is seen over the cut.
+std::vector<std::int32_t> ChartRows::cornersBeyond(std::int32_t chart) const {
+  std::vector<std::int32_t> corners;
+  for (const std::int32_t h : old_.halfEdgesOf(chart)) {
+    if (old_.onBoundary(old_.vert(h))) corners.push_back(h);
+  }
+  if (corners.empty()) corners.push_back(old_.faceOffsets()[at(chart)]);
+  return corners;
+}
+
+const Charts::Round& ChartRows::beyond(std::int32_t chart) const {
+  const std::scoped_lock lock(lock_);
+  const auto place = beyond_.try_emplace(chart);
+  if (place.second) place.first->second = charts_.walkRound(cornersBeyond(chart));
+  return place.first->second;
+}
+
 /// Adds weight times a source point; false when it can't be seen from the chart.
-bool ChartRows::addSource(std::int32_t p, double weight, std::int32_t chart, std::span<const std::int32_t> pivots,
+bool ChartRows::addSource(std::int32_t p, double weight, std::int32_t chart, const Pivots& pivots,
                           Charts::ChartRow& row) const {
   if (p >= old_.vertexCount()) return addCentral(centralFace(p), weight, chart, pivots, row);
   Charts::Place place;
@@ -74,30 +92,78 @@ bool ChartRows::addSource(std::int32_t p, double weight, std::int32_t chart, std
   if (place.corner >= 0) {
     place.face = chart;
   } else {
-    place = charts_.findVertex(p, pivots);
+    place = charts_.findVertex(p, pivots.corners, pivots.further);
   }
   return charts_.add(place, weight, row);
 }
 
-/// Adds share times the sum S of a whole face; false when it can't be seen from the chart.
-bool ChartRows::addSum(const LevelRows::Sum& sum, double share, std::int32_t chart,
-                       std::span<const std::int32_t> pivots, Charts::ChartRow& row) const {
-  const ChartSums::Face& large = sums_.of(sum);
-  const Charts::Place place = sums_.place(large, chart, pivots);
-  if (place.face < 0) return false;
-  if (!place.plain) return charts_.planar() && charts_.add(place, large.mean, share * large.weights[0], row);
-  row.row.push_back({sourceCount_ + large.number, share});
-  return true;
+Charts::Place ChartRows::placeOf(std::int32_t face, std::int32_t chart, const Pivots& pivots) const {
+  Charts::Place place;
+  place.face = face;
+  return face == chart || !charts_.hasSeams() ? place : findFace(face, pivots);
 }
 
-bool ChartRows::addCentral(std::int32_t f, double weight, std::int32_t chart, std::span<const std::int32_t> pivots,
+/// Adds share times a sum; false when it can't be seen from the chart.
+bool ChartRows::addSum(const LevelRows::Sum& sum, double share, std::int32_t chart, const Pivots& pivots,
+                       Charts::ChartRow& row) const {
+  if (sums_.manyParts(sum)) return addManyParts(sum, share, chart, pivots, row);
+  bool whole = true;
+  for (const ChartSums::Part& part : sums_.parts(sum)) {
+    const Charts::Place place = placeOf(part.face, chart, pivots);
+    if (place.face >= 0 && place.plain) {
+      row.row.push_back({sourceCount_ + part.number, share});
+    } else {
+      whole = whole && place.face >= 0 && charts_.planar() && charts_.add(place, part.sum, part.weight, share, row);
+    }
+  }
+  return whole;
+}
+
+/// Many parts of one face are seen from another part of it, once for all rows.
+bool ChartRows::addManyParts(const LevelRows::Sum& sum, double share, std::int32_t chart, const Pivots& pivots,
+                             Charts::ChartRow& row) const {
+  if (!pivots.beyond) return false;
+  const Seen& many = seen(sum, chart);
+  if (many.plain) {
+    row.row.push_back({sourceCount_ + sums_.whole(sum), share});
+  } else {
+    row.weight += share * many.row.weight;
+    row.sum += share * many.row.sum;
+  }
+  return many.plain || many.continued;
+}
+
+const ChartRows::Seen& ChartRows::seen(const LevelRows::Sum& sum, std::int32_t chart) const {
+  const Charts::Round& round = beyond(chart);
+  const std::scoped_lock lock(lock_);
+  const auto place = seen_.try_emplace({sum.face, sum.projection, chart});
+  if (place.second) place.first->second = see(sum, chart, round);
+  return place.first->second;
+}
+
+/// What is plain beside parts that aren't is summed up with them.
+ChartRows::Seen ChartRows::see(const LevelRows::Sum& sum, std::int32_t chart, const Charts::Round& round) const {
+  Seen seen;
+  seen.continued = charts_.planar();
+  for (const ChartSums::Part& part : sums_.parts(sum)) {
+    Charts::Place place;
+    if (part.face != chart) {
+      const Charts::Walk* way = round.to(part.face);
+      place = way == nullptr ? Charts::Place{.plain = false} : way->place;
+    }
+    seen.plain = seen.plain && place.plain;
+    place.continued = place.continued || place.plain;
+    seen.continued = seen.continued && charts_.add(place, part.sum, part.weight, 1, seen.row);
+  }
+  return seen;
+}
+
+bool ChartRows::addCentral(std::int32_t f, double weight, std::int32_t chart, const Pivots& pivots,
                            Charts::ChartRow& row) const {
-  Charts::Place place;
-  place.face = f;
-  if (f != chart && charts_.hasSeams()) place = charts_.findFace(f, pivots);
+  Charts::Place place = placeOf(f, chart, pivots);
   if (place.face < 0) return false;
   if (charts_.hasCentral()) {
-    if (!place.plain) return charts_.planar() && charts_.add(place, charts_.value(charts_.central(f)), weight, row);
+    if (!place.plain) return charts_.planar() && charts_.add(place, charts_.value(charts_.central(f)), 1, weight, row);
     row.row.push_back({charts_.central(f), weight});
     return true;
   }
@@ -110,16 +176,21 @@ bool ChartRows::addCentral(std::int32_t f, double weight, std::int32_t chart, st
   return whole;
 }
 
-Row ChartRows::clampedRow(std::int32_t point, std::int32_t chart, std::span<const std::int32_t> pivots) const {
-  std::vector<double> weights(pivots.size());
+/// The corner whose vertex weighs most in a point's stencil.
+std::int32_t ChartRows::heaviest(std::int32_t point, const Pivots& pivots) const {
+  std::vector<double> weights(pivots.corners.size());
   visitFaces(
       point,
       [&](std::int32_t p, double w) {
-        for (std::size_t i = 0; i < pivots.size(); ++i) weights[i] += p == old_.vert(pivots[i]) ? w : 0;
+        for (std::size_t i = 0; i < weights.size(); ++i) weights[i] += p == old_.vert(pivots.corners[i]) ? w : 0;
       },
       [](const LevelRows::Sum&, double) {});
-  const auto heaviest = std::max_element(weights.begin(), weights.end()) - weights.begin();
-  const std::int32_t held = charts_.corner(pivots[at(heaviest)]);
+  if (weights.empty()) return pivots.further->pivots.front();
+  return pivots.corners[at(std::max_element(weights.begin(), weights.end()) - weights.begin())];
+}
+
+Row ChartRows::clampedRow(std::int32_t point, std::int32_t chart, const Pivots& pivots) const {
+  const std::int32_t held = charts_.corner(heaviest(point, pivots));
   Row row;
   const auto take = [&](std::int32_t p, double w) {
     Charts::ChartRow entries;
@@ -129,15 +200,18 @@ Row ChartRows::clampedRow(std::int32_t point, std::int32_t chart, std::span<cons
       row.push_back({held, w});
     }
   };
+  const auto takePart = [&](const ChartSums::Part& part, double share) {
+    const Charts::Place place = placeOf(part.face, chart, pivots);
+    const bool plain = place.face >= 0 && place.plain && part.number >= 0;
+    row.push_back(plain ? Weight{sourceCount_ + part.number, share} : Weight{held, share * part.weight});
+  };
   visitFaces(point, take, [&](const LevelRows::Sum& sum, double share) {
-    const ChartSums::Face& large = sums_.of(sum);
-    const Charts::Place place = sums_.place(large, chart, pivots);
-    if (place.face < 0 || !place.plain) {
-      row.push_back({held, share * large.weights[at(sum.projection)]});
-    } else if (hasFaceRow(point)) {
-      rows_.visitSum(sum, [&](std::int32_t p, double w) { take(p, share * w); });
+    if (sums_.manyParts(sum) && pivots.beyond && seen(sum, chart).plain) {
+      row.push_back({sourceCount_ + sums_.whole(sum), share});
+    } else if (sums_.manyParts(sum)) {
+      row.push_back({held, share * sums_.weight(sum)});
     } else {
-      row.push_back({sourceCount_ + large.number, share});
+      for (const ChartSums::Part& part : sums_.parts(sum)) takePart(part, share);
     }
   });
   mergeEntries(row);

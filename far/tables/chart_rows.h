@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <mutex>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -46,33 +49,57 @@ class ChartRows {
 
   /// Does a point come from a batch of faces?
   bool hasFaceRow(std::int32_t point) const;
+  /// May its row read sums?
+  bool readsSums(std::int32_t point) const;
   /// Is point `point` made of corners of a face of the level before, and its central control vertex, alone?
   bool liesIn(std::int32_t point, std::int32_t face) const;
-  /// The half-edges in the cell's chart round whose vertices a point's stencil may reach into other faces.
-  std::vector<std::int32_t> pivotsOf(std::int32_t point, const ChartCell& cell) const;
+  /// Round which vertices a point's stencil may reach into other faces from a cell's chart, by the half-edges of that
+  /// face that leave them; `further` are more of them.
+  struct Pivots {
+    std::vector<std::int32_t> corners;
+    const Charts::Round* further = nullptr;
+    bool beyond = false;  ///< other parts of the face may be seen, over the cuts that close
+  };
+  Pivots pivotsOf(std::int32_t point, const ChartCell& cell) const;
+  Charts::Place findFace(std::int32_t face, const Pivots& pivots) const {
+    return charts_.findFace(face, pivots.corners, pivots.further);
+  }
   /// Point `point` in the chart of a cell, point by point of its stencil. Entries from sourceCount on are sums, as
   /// ReplacedRow has them.
   Row rowIn(std::int32_t point, const ChartCell& cell) const;
   /// What can't be continued takes the chart's value at the pivot that weighs most in the stencil.
-  Row clampedRow(std::int32_t point, std::int32_t chart, std::span<const std::int32_t> pivots) const;
+  Row clampedRow(std::int32_t point, std::int32_t chart, const Pivots& pivots) const;
 
  private:
   /// The row of a point, with the sums of whole faces apart.
   template <class Take, class TakeSum>
   void visitFaces(std::int32_t point, const Take& take, const TakeSum& takeSum) const {
     rows_.visitApart(point, take, [&](const LevelRows::Sum& sum, double share) {
-      if (sums_.of(sum).face >= 0) return takeSum(sum, share);
+      if (!sums_.parts(sum).empty()) return takeSum(sum, share);
       rows_.visitSum(sum, [&](std::int32_t p, double w) { take(p, share * w); });
     });
   }
 
+  /// A sum of many parts in a chart.
+  struct Seen {
+    bool plain = true;       // in one chart with it
+    bool continued = false;  // `row` has it
+    Charts::ChartRow row;
+  };
+
   std::int32_t centralFace(std::int32_t point) const;
-  bool addSource(std::int32_t p, double weight, std::int32_t chart, std::span<const std::int32_t> pivots,
-                 Charts::ChartRow& row) const;
-  bool addSum(const LevelRows::Sum& sum, double share, std::int32_t chart, std::span<const std::int32_t> pivots,
+  std::vector<std::int32_t> cornersBeyond(std::int32_t chart) const;
+  const Charts::Round& beyond(std::int32_t chart) const;
+  const Seen& seen(const LevelRows::Sum& sum, std::int32_t chart) const;
+  Seen see(const LevelRows::Sum& sum, std::int32_t chart, const Charts::Round& round) const;
+  std::int32_t heaviest(std::int32_t point, const Pivots& pivots) const;
+  bool addSource(std::int32_t p, double weight, std::int32_t chart, const Pivots& pivots, Charts::ChartRow& row) const;
+  bool addSum(const LevelRows::Sum& sum, double share, std::int32_t chart, const Pivots& pivots,
               Charts::ChartRow& row) const;
-  bool addCentral(std::int32_t f, double weight, std::int32_t chart, std::span<const std::int32_t> pivots,
-                  Charts::ChartRow& row) const;
+  bool addManyParts(const LevelRows::Sum& sum, double share, std::int32_t chart, const Pivots& pivots,
+                    Charts::ChartRow& row) const;
+  bool addCentral(std::int32_t f, double weight, std::int32_t chart, const Pivots& pivots, Charts::ChartRow& row) const;
+  Charts::Place placeOf(std::int32_t face, std::int32_t chart, const Pivots& pivots) const;
 
   const Charts& charts_;
   const Topology& old_;
@@ -80,6 +107,9 @@ class ChartRows {
   ChartSums sums_;
   std::vector<std::int32_t> faceOfInput_;
   std::int32_t sourceCount_;
+  mutable std::mutex lock_;  // of what is found when it is asked for, by whichever thread
+  mutable std::map<std::int32_t, Charts::Round> beyond_;
+  mutable std::map<std::tuple<std::int32_t, std::int32_t, std::int32_t>, Seen> seen_;  // by face, projection, chart
 };
 
 }  // namespace honeycomb::Far

@@ -21,8 +21,9 @@ constexpr double kFarthest = 16;
 /// Of values on the two sides of a crease, relative to the largest there is.
 constexpr double kCreaseRounding = 1e-9;
 
-/// Round a vertex of more faces walks are remembered.
-constexpr std::int32_t kFewFaces = 16;
+std::int32_t firstPivot(const Charts::Round& round) {
+  return round.pivots.front();
+}
 
 double cross(std::complex<double> a, std::complex<double> b) {
   return a.real() * b.imag() - a.imag() * b.real();
@@ -152,25 +153,29 @@ bool Charts::step(Walk& walk) const {
   return walk.h != walk.pivot;
 }
 
-/// The best of the ways remembered(round) from those pivots that have a round, and the walks from the others both ways,
-/// side by side, until found(h, place) for the half-edge h that leaves the vertex in a face, or they can't become
-/// better than the best so far.
+/// The best of the ways remembered(round) from those pivots that have a round, and from `further`, and the walks from
+/// the others both ways, side by side, until found(h, place) for the half-edge h that leaves the vertex in a face, or
+/// they can't become better than the best so far.
 template <class Remembered, class Found>
-Charts::Walk Charts::search(std::span<const std::int32_t> pivots, const Remembered& remembered,
+Charts::Walk Charts::search(std::span<const std::int32_t> pivots, const Round* further, const Remembered& remembered,
                             const Found& found) const {
   Walk best;
   std::vector<Walk> walks;
   std::int32_t order = 0;
+  const auto remember = [&](const Round& round) {
+    Walk walk = remembered(round);
+    walk.order += order;
+    if (walk.place.face >= 0 && walk.betterThan(best)) best = walk;
+  };
   for (const std::int32_t pivot : pivots) {
     if (const Round* round = roundFrom(pivot); round != nullptr) {
-      Walk walk = remembered(*round);
-      walk.order += order;
-      if (walk.place.face >= 0 && walk.betterThan(best)) best = walk;
-    } else {
+      remember(*round);
+    } else if (further == nullptr || !std::ranges::binary_search(further->pivots, pivot)) {
       for (const std::int32_t way : {0, 1}) walks.push_back({pivot, order + way, pivot, 0, 0, {}});
     }
     order += 2;
   }
+  if (further != nullptr) remember(*further);
   std::size_t walked = 0;
   while (!walks.empty()) {
     walked += walks.size();
@@ -185,9 +190,9 @@ Charts::Walk Charts::search(std::span<const std::int32_t> pivots, const Remember
   return best;
 }
 
-Charts::Place Charts::findFace(std::int32_t face, std::span<const std::int32_t> pivots) const {
+Charts::Place Charts::findFace(std::int32_t face, std::span<const std::int32_t> pivots, const Round* further) const {
   const auto remembered = [&](const Round& round) {
-    const Walk* way = wayTo(round, face);
+    const Walk* way = round.to(face);
     return way == nullptr ? Walk() : *way;
   };
   const auto found = [&](std::int32_t h, Place& place) {
@@ -195,14 +200,14 @@ Charts::Place Charts::findFace(std::int32_t face, std::span<const std::int32_t> 
     place.face = face;
     return true;
   };
-  return search(pivots, remembered, found).place;
+  return search(pivots, further, remembered, found).place;
 }
 
-Charts::Place Charts::findVertex(std::int32_t v, std::span<const std::int32_t> pivots) const {
+Charts::Place Charts::findVertex(std::int32_t v, std::span<const std::int32_t> pivots, const Round* further) const {
   const auto remembered = [&](const Round& round) {
     Walk best;
     for (const std::int32_t h : topology_.halfEdgesFrom(v)) {
-      const Walk* way = wayTo(round, topology_.face(h));
+      const Walk* way = round.to(topology_.face(h));
       if (way == nullptr || !way->betterThan(best)) continue;
       best = *way;
       best.place.corner = h;
@@ -221,23 +226,23 @@ Charts::Place Charts::findVertex(std::int32_t v, std::span<const std::int32_t> p
     if (place.corner >= 0) place.face = f;
     return place.corner >= 0;
   };
-  return search(pivots, remembered, found).place;
+  return search(pivots, further, remembered, found).place;
 }
 
-const Charts::Walk* Charts::wayTo(const Round& round, std::int32_t face) {
-  const auto way = std::ranges::lower_bound(round.ways, face, {}, [](const Walk& walk) { return walk.place.face; });
-  return way == round.ways.end() || way->place.face != face ? nullptr : &*way;
+const Charts::Walk* Charts::Round::to(std::int32_t face) const {
+  const auto way = std::ranges::lower_bound(ways, face, {}, [](const Walk& walk) { return walk.place.face; });
+  return way == ways.end() || way->place.face != face ? nullptr : &*way;
 }
 
 const Charts::Round* Charts::roundFrom(std::int32_t pivot) const {
-  const auto round = std::ranges::lower_bound(rounds_, pivot, {}, &Round::pivot);
-  return round == rounds_.end() || round->pivot != pivot ? nullptr : &*round;
+  const auto round = std::ranges::lower_bound(rounds_, pivot, {}, firstPivot);
+  return round == rounds_.end() || firstPivot(*round) != pivot ? nullptr : &*round;
 }
 
-Charts::Round Charts::walkRound(std::int32_t pivot) const {
-  Round round{pivot, {}};
-  for (const std::int32_t order : {0, 1}) {
-    Walk walk{pivot, order, pivot, 0, 0, {}};
+Charts::Round Charts::walkRound(std::span<const std::int32_t> pivots) const {
+  Round round{{pivots.begin(), pivots.end()}, {}};
+  for (std::size_t i = 0; i < 2 * pivots.size(); ++i) {
+    Walk walk{pivots[i / 2], static_cast<std::int32_t>(i), pivots[i / 2], 0, 0, {}};
     while (step(walk)) {
       round.ways.push_back(walk);
       round.ways.back().place.face = topology_.face(walk.h);
@@ -260,12 +265,12 @@ void Charts::findRounds() {
     if (touched(topology_.face(h))) met[at(topology_.vert(h))] = 1;
   }
   for (std::int32_t v = 0; v < topology_.vertexCount(); ++v) {
-    if (met[at(v)] != 0 && faces[at(v)] > kFewFaces) rounds_.push_back({topology_.outgoing(v), {}});
+    if (met[at(v)] != 0 && faces[at(v)] > kFewFaces) rounds_.push_back({{topology_.outgoing(v)}, {}});
   }
-  std::ranges::sort(rounds_, {}, &Round::pivot);
+  std::ranges::sort(rounds_, {}, firstPivot);
   Parallel::forEach(
       0, static_cast<std::int64_t>(rounds_.size()),
-      [&](std::int64_t i) { rounds_[at(i)] = walkRound(rounds_[at(i)].pivot); }, 1);
+      [&](std::int64_t i) { rounds_[at(i)] = walkRound(rounds_[at(i)].pivots); }, 1);
 }
 
 bool Charts::add(const Place& place, double weight, ChartRow& row) const {
@@ -274,13 +279,13 @@ bool Charts::add(const Place& place, double weight, ChartRow& row) const {
     row.row.push_back({corner(place.corner), weight});
     return true;
   }
-  return planar() && add(place, value(corner(place.corner)), weight, row);
+  return planar() && add(place, value(corner(place.corner)), 1, weight, row);
 }
 
-bool Charts::add(const Place& place, std::complex<double> value, double weight, ChartRow& row) const {
+bool Charts::add(const Place& place, std::complex<double> sum, double weight, double share, ChartRow& row) const {
   if (!place.continued) return false;
-  row.weight += weight;
-  row.sum += weight * (place.toChart[0] * value + place.toChart[1]);
+  row.weight += share * weight;
+  row.sum += share * (place.toChart[0] * sum + weight * place.toChart[1]);
   return true;
 }
 

@@ -48,37 +48,6 @@ class Charts {
     bool continued = false;                             ///< `toChart` is meaningful
     std::array<std::complex<double>, 2> toChart{1, 0};  ///< factor and shift of the similarity
   };
-  /// Face `face` seen from the chart of the face of `pivots`, half-edges of that face: round the vertices they leave,
-  /// the way that crosses the fewest seams, then the fewest edges, then the first. Takes as many steps as the way has
-  /// edges; where others may cross fewer seams, as far as these go. Round a vertex of many faces from its outgoing()
-  /// logarithmic: those walks are remembered.
-  Place findFace(std::int32_t face, std::span<const std::int32_t> pivots) const;
-  /// The nearest face that has vertex v, in the same way; where a walk is remembered, linear in v's valence too, if
-  /// that is small.
-  Place findVertex(std::int32_t v, std::span<const std::int32_t> pivots) const;
-
-  /// A stencil row in the chart of a face. What is continued is summed up as a point of the chart's plane, and written
-  /// as weights on three of the face's own corners, so that rows stay rows.
-  struct ChartRow {
-    Row row;
-    double weight = 0;
-    std::complex<double> sum = 0;
-  };
-  /// Adds weight times a corner seen from a chart; false when it can't be continued.
-  bool add(const Place& place, double weight, ChartRow& row) const;
-  /// Adds weight times a value of the chart of `place`, which isn't plain; false when it can't be continued.
-  bool add(const Place& place, std::complex<double> value, double weight, ChartRow& row) const;
-  /// Writes what was summed up as weights on the corners of `face`; false when that can't be done.
-  bool close(std::int32_t face, ChartRow& row) const;
-
-  /// The central control vertex of face f, where faces have one.
-  std::int32_t central(std::int32_t f) const { return firstCentral_ + f; }
-  bool hasCentral() const { return firstCentral_ >= 0; }
-  std::complex<double> value(std::int32_t i) const {
-    return {values_[2 * static_cast<std::size_t>(i)], values_[2 * static_cast<std::size_t>(i) + 1]};
-  }
-
- private:
   /// Where a walk round a vertex is, or ended.
   struct Walk {
     std::int32_t pivot = -1;  ///< the half-edge it began with
@@ -90,18 +59,56 @@ class Charts {
     bool counterClockwise() const { return order % 2 == 0; }
     bool betterThan(const Walk& other) const;
   };
-  /// All faces round a vertex of many, ascending, and the best way to each from its outgoing().
+  /// All faces round some corners of a face, ascending, and the best way to each.
   struct Round {
-    std::int32_t pivot = -1;
+    std::vector<std::int32_t> pivots;  ///< the corners, ascending half-edges
     std::vector<Walk> ways;
+    /// nullptr: the face isn't among them.
+    const Walk* to(std::int32_t face) const;
   };
+  /// Walks round the vertices that `pivots`, ascending half-edges of one face, leave. Linear in their valences, and
+  /// a logarithm.
+  Round walkRound(std::span<const std::int32_t> pivots) const;
+  /// Corners of a face, or vertices, of more than this many others are better looked for in a Round.
+  static constexpr std::int32_t kFewFaces = 16;
 
+  /// Face `face` seen from the chart of the face of `pivots`, half-edges of that face: round the vertices they leave,
+  /// the way that crosses the fewest seams, then the fewest edges, then the first. Takes as many steps as the way has
+  /// edges; where others may cross fewer seams, as far as these go. Round a vertex of many faces from its outgoing()
+  /// logarithmic: those walks are remembered. `further`: round more corners of the face, which come last.
+  Place findFace(std::int32_t face, std::span<const std::int32_t> pivots, const Round* further = nullptr) const;
+  /// The nearest face that has vertex v, in the same way; where a walk is remembered, linear in v's valence too, if
+  /// that is small.
+  Place findVertex(std::int32_t v, std::span<const std::int32_t> pivots, const Round* further = nullptr) const;
+
+  /// A stencil row in the chart of a face. What is continued is summed up as a point of the chart's plane, and written
+  /// as weights on three of the face's own corners, so that rows stay rows.
+  struct ChartRow {
+    Row row;
+    double weight = 0;
+    std::complex<double> sum = 0;
+  };
+  /// Adds weight times a corner seen from a chart; false when it can't be continued.
+  bool add(const Place& place, double weight, ChartRow& row) const;
+  /// Adds `share` times a sum of values of the chart of `place`, which isn't plain, with their weights summed up too;
+  /// false when it can't be continued.
+  bool add(const Place& place, std::complex<double> sum, double weight, double share, ChartRow& row) const;
+  /// Writes what was summed up as weights on the corners of `face`; false when that can't be done.
+  bool close(std::int32_t face, ChartRow& row) const;
+
+  /// The central control vertex of face f, where faces have one.
+  std::int32_t central(std::int32_t f) const { return firstCentral_ + f; }
+  bool hasCentral() const { return firstCentral_ >= 0; }
+  std::complex<double> value(std::int32_t i) const {
+    return {values_[2 * static_cast<std::size_t>(i)], values_[2 * static_cast<std::size_t>(i) + 1]};
+  }
+
+ private:
   bool step(Walk& walk) const;
   template <class Remembered, class Found>
-  Walk search(std::span<const std::int32_t> pivots, const Remembered& remembered, const Found& found) const;
+  Walk search(std::span<const std::int32_t> pivots, const Round* further, const Remembered& remembered,
+              const Found& found) const;
   const Round* roundFrom(std::int32_t pivot) const;
-  static const Walk* wayTo(const Round& round, std::int32_t face);
-  Round walkRound(std::int32_t pivot) const;
   void findRounds();
   void cross(std::int32_t h, Place& place) const;
   std::int32_t across(std::int32_t h) const;

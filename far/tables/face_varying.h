@@ -38,7 +38,8 @@ struct FaceVaryingLevel {
 ///   that
 ///     the chart has at the vertex itself (at the nearer end of the edge), which adds nothing that wasn't there.
 ///   - What reads all corners of a face of more than kLargestCirculant sides is carried over as that face's own point,
-///   and clamped as a whole: rows beside such a face have few entries.
+///   and clamped as a whole: rows beside such a face have few entries. Where parts of a face grow together, so is what
+///   is read of each part.
 ///   - Where a crease on or beside a seam grows together, the few points that can't be seen from a chart over one
 ///   vertex
 ///     take its value there too.

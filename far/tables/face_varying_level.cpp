@@ -109,8 +109,12 @@ class LevelBuilder {
     }
     for (std::size_t i = 0; i < old.projected.size(); ++i) {
       ProjectedFace face = old.projected[i];
-      face.firstIndex = addCorners(face.firstIndex, face.firstOutput, 1, face.corners, face.outputs);
-      if (face.firstIndex < 0) continue;
+      const bool alone = charts_.hasSeams() && face.outputs == 0;  // of no face of the level
+      face.firstIndex = alone ? -1 : addCorners(face.firstIndex, face.firstOutput, 1, face.corners, face.outputs);
+      if (face.firstIndex < 0) {
+        rows_.sums().split(i, table);
+        continue;
+      }
       rows_.sums().name(i, cellOf(new_.face(primary_[at(face.firstOutput)])).chart,
                         static_cast<std::int32_t>(table.projected.size()), table.indices.data() + face.firstIndex);
       table.projected.push_back(face);
@@ -128,7 +132,7 @@ class LevelBuilder {
 
   /// The rows of points first .. end - 1, of which those that were summed ones still are.
   void addGap(std::int32_t first, std::int32_t end, RowWriter& writer, SummedRowWriter& summed) const {
-    const auto isSummed = [&](std::int32_t point) { return rows_.rows().place(point).kind == LevelRows::Kind::summed; };
+    const auto isSummed = [&](std::int32_t point) { return rows_.readsSums(point); };
     while (first < end) {
       std::int32_t last = first + 1;
       while (last < end && isSummed(last) == isSummed(first)) ++last;
@@ -243,11 +247,12 @@ class LevelBuilder {
       if (sameRow(row, ownRow)) return std::nullopt;
       return row;
     }
-    const std::vector<std::int32_t> pivots = rows_.pivotsOf(v, cell);
-    const Charts::Place place = charts_.findFace(homeFace, pivots);
+    const ChartRows::Pivots pivots = rows_.pivotsOf(v, cell);
+    const Charts::Place place = rows_.findFace(homeFace, pivots);
     if (place.face >= 0 && place.plain) return std::nullopt;
     Charts::ChartRow row;
-    const bool carried = charts_.planar() && charts_.add(place, {values_[2 * at(v)], values_[2 * at(v) + 1]}, 1, row);
+    const bool carried =
+        charts_.planar() && charts_.add(place, {values_[2 * at(v)], values_[2 * at(v) + 1]}, 1, 1, row);
     if (carried && charts_.close(cell.chart, row)) return std::move(row.row);
     return rows_.clampedRow(v, cell.chart, pivots);
   }

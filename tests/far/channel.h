@@ -11,6 +11,7 @@
 #include "far/tables/face_varying.h"
 #include "osd/cpu_evaluator.h"
 #include "tests/support/golden_chain.h"
+#include "tests/support/refined.h"
 #include "tests/support/shapes.h"
 
 namespace honeycomb::Test {

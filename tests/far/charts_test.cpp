@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tests/support/refined.h"
 #include "tests/support/shapes.h"
 
 // Faces seen from the charts of others round a vertex.

@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "far/schemes/akleman.h"
 #include "tests/far/channel.h"
+#include "tests/support/creased.h"
 #include "tests/support/shapes.h"
 #include "tests/support/table_rows.h"
 
-// Seams round faces of many sides.
+// Seams round faces of many sides and vertices of many faces, with creases and without.
 namespace honeycomb::Test {
 namespace {
 
@@ -51,9 +53,10 @@ TEST_P(FaceVaryingBy, LargeFacesThatAreChartsHaveTablesOfLinearSize) {
   EXPECT_LT(bytes[3], 4.2 * bytes[1]);
 }
 
-/// One flat chart of all faces, and the same with those of 70 sides from `firstTurned` on turned, halved and moved:
-/// seams beyond which all goes on alike. Central control vertices, which are at no corner, show at the second level.
-void expectGoesOnInATurnedChart(const std::string& scheme, const PolyMesh& mesh, std::int32_t levels,
+/// One flat chart of all faces, and the same with those from `firstTurned` on, of that many sides, turned, halved and
+/// moved: seams beyond which all goes on alike. Central control vertices, which are at no corner, show at the second
+/// level.
+void expectGoesOnInATurnedChart(const Far::Refinement& refinement, const PolyMesh& mesh, std::size_t sides,
                                 std::size_t firstTurned) {
   const auto turnedPoint = [](std::complex<double> z) { return std::complex(0.3, 0.4) * z + std::complex(2.0, 1.0); };
   Channel whole{mesh, {}, {}};
@@ -62,12 +65,12 @@ void expectGoesOnInATurnedChart(const std::string& scheme, const PolyMesh& mesh,
     for (const std::size_t v : mesh.faces[f]) {
       const Vec3& p = mesh.points[v];
       const std::complex<double> z((2 + p[2]) * p[0], (2 + p[2]) * p[1]);
-      const std::complex<double> w = mesh.faces[f].size() == 70 && f >= firstTurned ? turnedPoint(z) : z;
+      const std::complex<double> w = mesh.faces[f].size() == sides && f >= firstTurned ? turnedPoint(z) : z;
       whole.add({z.real(), z.imag()});
       turned.add({w.real(), w.imag()});
     }
   }
-  const Far::Refinement refinement = refinedChannel(scheme, mesh, levels);
+  const std::int32_t levels = refinement.levelCount();
   const FaceVarying expected = builtVarying(refinement, whole);
   const FaceVarying actual = builtVarying(refinement, turned);
   Numbers inOne = whole.values;
@@ -88,11 +91,99 @@ void expectGoesOnInATurnedChart(const std::string& scheme, const PolyMesh& mesh,
 }
 
 TEST_P(FaceVaryingBy, LargeFacesGoOnInAChartThatIsTurned) {
-  ASSERT_NO_FATAL_FAILURE(expectGoesOnInATurnedChart(GetParam(), prism(70), 1, 0));
+  const PolyMesh mesh = prism(70);
+  ASSERT_NO_FATAL_FAILURE(expectGoesOnInATurnedChart(refinedChannel(GetParam(), mesh, 1), mesh, 70, 0));
+}
+
+/// n triangles round a vertex above and as many below.
+PolyMesh bipyramid(std::size_t n) {
+  PolyMesh mesh = wheel(n);
+  mesh.points.push_back({0, 0, -1});
+  for (std::size_t f = 0; f < n; ++f) {
+    const Loop loop = mesh.faces[f];
+    mesh.faces.push_back({loop[0] == 0 ? n + 1 : loop[0], loop[2], loop[1]});
+  }
+  return mesh;
+}
+
+TEST(FaceVarying, LargeVerticesGoOnInAChartThatIsTurned) {
+  const PolyMesh mesh = bipyramid(70);
+  for (const char* scheme : {"akleman", "zhang-wang", "doo-sabin", "midpoint", "trisect", "centroid"}) {
+    SCOPED_TRACE(scheme);
+    ASSERT_NO_FATAL_FAILURE(expectGoesOnInATurnedChart(refinedChannel(scheme, mesh, 1), mesh, 3, 30));
+  }
+}
+
+std::vector<Far::Scheme> aklemanSteps(std::size_t levels) {
+  return {levels, *Far::akleman({})};
+}
+
+TEST(FaceVarying, LargeFacesAtWhichCreasesEndGoOnInAChartThatIsTurned) {
+  for (const double sharpness : {0.5, 1.5, 10.0}) {
+    SCOPED_TRACE(sharpness);
+    const CreasedMesh posts = meetingCreases(70, sharpness).front();
+    const Far::Refinement refinement = refinedBy(creased(posts.mesh, posts.creases), aklemanSteps(2));
+    ASSERT_NO_FATAL_FAILURE(expectGoesOnInATurnedChart(refinement, posts.mesh, 70, 0));
+  }
+}
+
+TEST(FaceVarying, LargeVerticesInWhichACreaseEndsGoOnInAChartThatIsTurned) {
+  const PolyMesh mesh = wheel(70);
+  for (const double sharpness : {0.5, 10.0}) {
+    SCOPED_TRACE(sharpness);
+    const Far::Refinement refinement = refinedBy(creased(mesh, {{0, 1, sharpness}}), aklemanSteps(2));
+    ASSERT_NO_FATAL_FAILURE(expectGoesOnInATurnedChart(refinement, mesh, 3, 30));
+  }
+}
+
+/// A channel of one chart, but for the first face, and one whose every face is a chart of its own.
+std::vector<Channel> seamedChannels(const PolyMesh& mesh) {
+  Channel one{mesh, {}, {}};
+  Channel all{mesh, {}, {}};
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    for (const std::size_t v : mesh.faces[f]) {
+      const Vec3& p = mesh.points[v];
+      one.add({(2 + p[2]) * p[0] + (f == 0 ? 9 : 0), (2 + p[2]) * p[1]});
+      all.add({(2 + p[2]) * p[0] + 9.0 * static_cast<double>(f), (2 + p[2]) * p[1]});
+    }
+  }
+  return {one, all};
+}
+
+/// Creases that end at large faces and vertices, one through a vertex, and one that ends there.
+std::vector<CreasedMesh> seamedCreases(std::size_t n, double sharpness) {
+  std::vector<CreasedMesh> meshes = meetingCreases(n, sharpness);
+  const auto far = static_cast<std::int32_t>(1 + n / 2);
+  meshes.push_back({"through a wheel", wheel(n), {{1, 0, sharpness}, {0, far, sharpness}}});
+  meshes.push_back({"into a wheel", wheel(n), {{1, 0, sharpness}}});
+  return meshes;
+}
+
+std::vector<std::int64_t> bytesWithSeamsAndCreases(std::size_t n, double sharpness) {
+  std::vector<std::int64_t> bytes;
+  for (const CreasedMesh& c : seamedCreases(n, sharpness)) {
+    const Far::Refinement refinement = refinedBy(creased(c.mesh, c.creases), aklemanSteps(2));
+    for (const Channel& channel : seamedChannels(c.mesh)) {
+      bytes.push_back(builtVarying(refinement, channel).byteCount());
+    }
+  }
+  return bytes;
+}
+
+TEST(FaceVarying, LargeFacesWithCreasesAndSeamsHaveTablesOfLinearSize) {
+  for (const double sharpness : {0.5, 1.5, 10.0}) {
+    const std::vector<std::int64_t> small = bytesWithSeamsAndCreases(100, sharpness);
+    const std::vector<std::int64_t> large = bytesWithSeamsAndCreases(400, sharpness);
+    ASSERT_EQ(small.size(), large.size());
+    for (std::size_t i = 0; i < small.size(); ++i) {
+      EXPECT_LT(large[i], 4.2 * static_cast<double>(small[i])) << "sharpness " << sharpness << ", case " << i;
+    }
+  }
 }
 
 TEST(FaceVarying, SumsOfLargeFacesGoOnInAChartThatIsTurned) {
-  ASSERT_NO_FATAL_FAILURE(expectGoesOnInATurnedChart("zhang-wang", pillow(70), 2, 1));
+  const PolyMesh mesh = pillow(70);
+  ASSERT_NO_FATAL_FAILURE(expectGoesOnInATurnedChart(refinedChannel("zhang-wang", mesh, 2), mesh, 70, 1));
 }
 
 }  // namespace
