@@ -52,8 +52,12 @@ class PlyNumbers {
     const std::size_t size = plySize(type);
     if (bytesLeft() < size) return false;
     std::array<char, 8> raw{};
-    std::memcpy(raw.data(), bytes_.data() + at_, size);
-    if (encoding_ == PlyEncoding::bigEndian) std::reverse(raw.data(), raw.data() + size);
+    const char* first = bytes_.data() + at_;
+    if (encoding_ == PlyEncoding::bigEndian) {
+      std::reverse_copy(first, first + size, raw.data());
+    } else {
+      std::memcpy(raw.data(), first, size);
+    }
     value = decoded(type, raw);
     at_ += size;
     return true;
