@@ -7,6 +7,7 @@ honeycomb_test(osd_tests
     ${CMAKE_CURRENT_LIST_DIR}/buffer_errors_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/differential_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/evaluators_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/every_machine_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/row_tables_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/simd_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/tile_limits_test.cpp

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
-#include <vector>
+#include <utility>
 
 namespace honeycomb::Test {
 
@@ -22,8 +22,8 @@ class Random {
   double symmetric() { return 2 * unit() - 1; }
   bool chance(double p) { return unit() < p; }
 
-  template <class T>
-  void shuffle(std::vector<T>& items) {
+  template <class Items>
+  void shuffle(Items& items) {
     for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[below(i)]);
   }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "far/tables/circulant_form.h"
+#include "tests/support/random.h"
 
 namespace honeycomb::Test {
 
@@ -11,6 +12,11 @@ namespace {
 
 std::int32_t sizeOf(const auto& values) {
   return static_cast<std::int32_t>(values.size());
+}
+
+/// 0 .. n-1.
+std::int32_t below(Random& random, std::int32_t n) {
+  return static_cast<std::int32_t>(random.below(static_cast<std::size_t>(n)));
 }
 
 class Builder {
@@ -68,10 +74,9 @@ class Builder {
     loose.firstWeight = sizeOf(table_.weights);
     loose.outputs.resize(static_cast<std::size_t>(rows));
     std::iota(loose.outputs.begin(), loose.outputs.end(), table_.targetCount);
-    std::shuffle(loose.outputs.begin(), loose.outputs.end(), random_);
+    random_.shuffle(loose.outputs);
     table_.targetCount += rows;
-    std::uniform_int_distribution<std::int32_t> length(1, 9);
-    for (std::int32_t r = 0; r < rows; ++r) loose.offsets.push_back(loose.offsets.back() + length(random_));
+    for (std::int32_t r = 0; r < rows; ++r) loose.offsets.push_back(loose.offsets.back() + 1 + below(random_, 9));
     addIndices(loose.offsets.back());
     addWeights(loose.offsets.back());
   }
@@ -80,18 +85,15 @@ class Builder {
     addProjected(77, 0, 0);
     Far::SummedRows& summed = table_.summed;
     summed.rows.firstIndex = sizeOf(table_.indices);
-    std::uniform_int_distribution<std::int32_t> entries(0, 8);
-    std::uniform_int_distribution<std::int32_t> shares(0, 2);
-    std::uniform_int_distribution<std::int32_t> face(0, sizeOf(table_.projected) - 1);
     for (std::int32_t r = 0; r < rows; ++r) {
-      const std::int32_t own = entries(random_);
-      const std::int32_t read = own == 0 ? 1 : shares(random_);
-      for (std::int32_t t = 0; t < read; ++t) summed.faces.push_back(face(random_));
+      const std::int32_t own = below(random_, 9);
+      const std::int32_t read = own == 0 ? 1 : below(random_, 3);
+      for (std::int32_t t = 0; t < read; ++t) summed.faces.push_back(below(random_, sizeOf(table_.projected)));
       summed.rows.outputs.push_back(table_.targetCount++);
       summed.rows.offsets.push_back(summed.rows.offsets.back() + own);
       summed.shareOffsets.push_back(sizeOf(summed.faces));
     }
-    std::shuffle(summed.rows.outputs.begin(), summed.rows.outputs.end(), random_);
+    random_.shuffle(summed.rows.outputs);
     addIndices(summed.rows.offsets.back());
     summed.rows.firstWeight = sizeOf(table_.weights);
     addWeights(summed.rows.offsets.back());
@@ -106,15 +108,13 @@ class Builder {
 
  private:
   void addIndices(std::int32_t count) {
-    std::uniform_int_distribution<std::int32_t> point(0, table_.sourceCount - 1);
-    for (std::int32_t i = 0; i < count; ++i) table_.indices.edit().push_back(point(random_));
+    for (std::int32_t i = 0; i < count; ++i) table_.indices.edit().push_back(below(random_, table_.sourceCount));
   }
   void addWeights(std::int32_t count) {
-    std::uniform_real_distribution<double> weight(-1, 1);
-    for (std::int32_t i = 0; i < count; ++i) table_.weights.push_back(weight(random_));
+    for (std::int32_t i = 0; i < count; ++i) table_.weights.push_back(random_.symmetric());
   }
 
-  std::mt19937 random_;
+  Random random_;
   Far::LevelTable table_;
 };
 
@@ -133,9 +133,7 @@ Far::LevelTable randomTable(const TableShape& shape, std::uint32_t seed) {
 
 Far::LimitRows randomLimits(std::int32_t sourceCount, const std::vector<TableShape::Faces>& batches,
                             std::uint32_t seed) {
-  std::mt19937 random(seed);
-  std::uniform_int_distribution<std::int32_t> point(0, sourceCount - 1);
-  std::uniform_real_distribution<double> weight(-1, 1);
+  Random random(seed);
   Far::LimitRows rows;
   rows.sourceCount = sourceCount;
   for (const auto& [sides, count, mirrored] : batches) {
@@ -144,22 +142,21 @@ Far::LimitRows randomLimits(std::int32_t sourceCount, const std::vector<TableSha
                             .firstIndex = sizeOf(rows.indices),
                             .firstElement = rows.elementCount,
                             .firstWeight = sizeOf(rows.weights)});
-    for (std::int32_t i = 0; i < sides * count; ++i) rows.indices.push_back(point(random));
-    for (std::int32_t i = 0; i < 3 * sides; ++i) rows.weights.push_back(weight(random));
+    for (std::int32_t i = 0; i < sides * count; ++i) rows.indices.push_back(below(random, sourceCount));
+    for (std::int32_t i = 0; i < 3 * sides; ++i) rows.weights.push_back(random.symmetric());
     rows.elementCount += count;
   }
   rows.elements.resize(static_cast<std::size_t>(rows.elementCount));
   std::iota(rows.elements.begin(), rows.elements.end(), 0);
-  std::shuffle(rows.elements.begin(), rows.elements.end(), random);
+  random.shuffle(rows.elements);
   for (const double value : rows.weights) rows.weightsSingle.push_back(static_cast<float>(value));
   return rows;
 }
 
 std::vector<float> randomNumbers(std::int64_t count, std::uint32_t seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<float> value(-1, 1);
+  Random random(seed);
   std::vector<float> numbers(static_cast<std::size_t>(count));
-  for (float& number : numbers) number = value(random);
+  for (float& number : numbers) number = static_cast<float>(random.symmetric());
   return numbers;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "far/tables/level_table.h"
@@ -27,9 +26,9 @@ struct TableShape {
   std::int32_t summedRows = 0;  ///< and a large face that is there for its sum alone
 };
 
-/// A level table with random indices and weights: nothing is assumed of how far/ orders what a level table promises.
-/// Loose rows have 1 to 9 entries and are written to places in random order, behind all other outputs. Summed rows have
-/// 0 to 8 entries and 0 to 2 shares of large faces, one of either at least.
+/// A level table with random indices and weights, the same on every machine: nothing is assumed of how far/ orders what
+/// a level table promises. Loose rows have 1 to 9 entries and are written to places in random order, behind all other
+/// outputs. Summed rows have 0 to 8 entries and 0 to 2 shares of large faces, one of either at least.
 Far::LevelTable randomTable(const TableShape& shape, std::uint32_t seed = 1);
 
 /// Limit rows of elements in random order; batches as {sides, count}.
