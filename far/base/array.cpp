@@ -1,5 +1,7 @@
 #include "far/base/array.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <new>
 
 #ifdef __linux__
@@ -10,8 +12,6 @@ namespace honeycomb {
 
 namespace {
 
-constexpr std::size_t kHugePage = std::size_t{2} << 20;
-
 /// The size to ask for: up to whole huge pages where that wastes at most an eighth, else the last ones are small pages.
 std::size_t roundedSize(std::size_t bytes) {
   const std::size_t whole = (bytes + kHugePage - 1) / kHugePage * kHugePage;
@@ -20,14 +20,19 @@ std::size_t roundedSize(std::size_t bytes) {
 
 }  // namespace
 
+void wantHugePages([[maybe_unused]] void* block, [[maybe_unused]] std::size_t bytes) noexcept {
+#ifdef __linux__
+  const std::size_t before = (kHugePage - reinterpret_cast<std::uintptr_t>(block) % kHugePage) % kHugePage;
+  if (bytes < before + kHugePage) return;
+  (void)::madvise(static_cast<std::byte*>(block) + before, (bytes - before) / kHugePage * kHugePage, MADV_HUGEPAGE);
+#endif
+}
+
 void* allocateBytes(std::size_t bytes) {
   if (bytes < kHugePage) return ::operator new(bytes);
   const std::size_t size = roundedSize(bytes);
   void* block = ::operator new (size, std::align_val_t{kHugePage});
-#ifdef __linux__
-  // A wish: a system without huge pages refuses it, and the block is as good.
-  (void)::madvise(block, size / kHugePage * kHugePage, MADV_HUGEPAGE);
-#endif
+  wantHugePages(block, size);
   return block;
 }
 

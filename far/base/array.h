@@ -13,6 +13,12 @@
 
 namespace honeycomb {
 
+constexpr std::size_t kHugePage = std::size_t{2} << 20;
+
+/// Asks for pages of 2 MB where whole ones lie within the block and nothing was written yet (Linux: madvise). A wish: a
+/// system without refuses it, and the block is as good.
+void wantHugePages(void* block, std::size_t bytes) noexcept;
+
 /// Memory of that many bytes, as operator new gives it. Where the system has pages of 2 MB, blocks of that size and
 /// more ask for them (Linux: madvise): first touches of small pages cost several times the writing of a table.
 void* allocateBytes(std::size_t bytes);
