@@ -1,16 +1,17 @@
 // One workgroup a tile, tile after tile: the points it imports, then its steps, which read its own points and write
-// these or the target. Only the steps of a level wait for those of the level before; tiles wait for nobody.
+// these or the target. Only the steps of a level wait for those of the level before; tiles wait for nobody. Which
+// workgroup runs a tile is fixed beforehand, or who is done asks for the next: results don't depend on it.
 // osd/vulkan/tile_image.h draws the table.
 //
 // What holds for all invocations of a workgroup is not known to be so by lavapipe, which runs both sides of every branch
 // and the body of a loop once more than needed where the loop is left at its top: hence a branch of its own for each
 // kind of step a table has, and loops that are left at their bottom.
 //
-// Of the push constants: count is tiles, firstTask the texel of the first; sides is the numbers from a shared point to
+// Of the push constants: count is tiles, rowLength how many a workgroup may run, firstTask the texel of the first; sides is the numbers from a shared point to
 // the next, firstRecord the numbers before the first; firstOutput is the points of a slice of the scratch.
 
 layout(constant_id = 10) const uint kCases = 0xffffffffu;  // bit k: the table has steps of case k
-layout(constant_id = 11) const uint kPlacing = 0u;         // how points are written: one of the four below
+layout(constant_id = 11) const uint kPlacing = 0u;         // how points are written: one of those below
 layout(constant_id = 12) const bool kShares = true;        // tiles import shared points
 layout(constant_id = 13) const uint kOtherCases = 0xffffffffu;  // as kCases, from case 32 on
 layout(constant_id = 14) const uint kNormalPage = 1u;           // pages of points come first, then those of normals
@@ -22,10 +23,17 @@ const uint kNumbers = 0u;  // number by number
 const uint kWhole = 1u;    // a point is one aligned vec4
 const uint kPairs = 2u;    // two packed points of a face are three aligned vec2
 const uint kFours = 3u;    // four packed points of a face are three aligned vec4, six are four and a vec2
+const uint kThrees = 4u;   // a packed point is a vec3 of scalar layout; where LONG_STORES is defined, as the next
+const uint kSixes = 5u;    // and two packed points of a face are three 64-bit numbers, the first of them even
 
 layout(set = 0, binding = 0, std430) writeonly buffer Target { float values[]; } target[8];
 layout(set = 0, binding = 0, std430) writeonly buffer WholeTarget { vec4 values[]; } wholeTarget[8];
 layout(set = 0, binding = 0, std430) writeonly buffer PairedTarget { vec2 values[]; } pairedTarget[8];
+#ifdef LONG_STORES
+layout(set = 0, binding = 0, std430) writeonly buffer LongTarget { u64vec2 values[]; } longTarget[8];
+layout(set = 0, binding = 0, scalar) writeonly buffer TripleTarget { vec3 values[]; } tripleTarget[8];
+layout(set = 0, binding = 0, scalar) writeonly buffer SextupleTarget { u64vec3 values[]; } sextupleTarget[8];
+#endif
 layout(set = 0, binding = 1, std430) restrict readonly buffer Root { float root[]; };
 layout(set = 0, binding = 2, std430) restrict readonly buffer Shared { float sharedNumbers[]; };
 layout(set = 0, binding = 7) uniform usamplerBuffer table;
@@ -95,10 +103,21 @@ void writeNumber(uint n, float value, const bool normal) {
 
 void writePoint(uint point, vec4 p) {
   const uint n = push.targetOffset + point * kTargetStride;
+#ifdef LONG_STORES
+  if (kPlacing == kWhole) {
+    longTarget[0].values[n / 4u] = u64vec2(longOf(p.xy), longOf(p.zw));
+    return;
+  }
+  if (kPlacing == kThrees || kPlacing == kSixes) {
+    tripleTarget[0].values[push.targetOffset / 3u + point] = p.xyz;
+    return;
+  }
+#else
   if (kPlacing == kWhole) {
     wholeTarget[0].values[n / 4u] = p;
     return;
   }
+#endif
   writeNumber(n, p.x, false);
   if (kLength > 1u) writeNumber(n + 1u, p.y, false);
   if (kLength > 2u) writeNumber(n + 2u, p.z, false);
@@ -107,6 +126,13 @@ void writePoint(uint point, vec4 p) {
 
 // The points of a face, the first of which is even.
 void writePair(uint point, vec4 p, vec4 q) {
+#ifdef LONG_STORES
+  if (kPlacing == kSixes) {
+    sextupleTarget[0].values[push.targetOffset / 6u + point / 2u] =
+        u64vec3(longOf(p.xy), longOf(vec2(p.z, q.x)), longOf(q.yz));
+    return;
+  }
+#endif
   const uint n = (push.targetOffset + point * 3u) / 2u;
   pairedTarget[0].values[n] = p.xy;
   pairedTarget[0].values[n + 1u] = vec2(p.z, q.x);
@@ -250,6 +276,7 @@ void runStep(Step step) {
 
 void main() {
   uint t = gl_WorkGroupID.x;
+  uint ran = 0u;
   do {
     const uvec4 tile = texelFetch(table, int(push.firstTask + t));
     importPoints(tile.x, tile.y);
@@ -260,8 +287,13 @@ void main() {
       runStep(step);
       ++s;
     } while (s < tile.w);
+    ++ran;
+    const bool more = ran < push.rowLength;
+    if (kDealt) {
+      if (more) askForTile();
+    }
     // The next tile overwrites what this one reads.
     settle();
-    t += gl_NumWorkGroups.x;
+    t = !kDealt ? t + gl_NumWorkGroups.x : more ? givenTile() : push.count;
   } while (t < push.count);
 }

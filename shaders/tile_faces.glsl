@@ -39,7 +39,7 @@ void WRITE(uint first, const vec4 p[N]) {
   }
 #endif
 #if N % 2 == 0
-  if (kPlacing == kPairs) {
+  if (kPlacing == kPairs || kPlacing == kSixes) {
     for (int i = 0; i < N; i += 2) writePair(first + uint(i), p[i], p[i + 1]);
     return;
   }

@@ -61,7 +61,8 @@ Result<void> VulkanBinding::makeScratch(const VulkanBinding* shared) {
   for (std::size_t i = 0; i < kScratchBuffers; ++i) {
     const std::uint64_t needed = table_.bytesOf(static_cast<PointBuffer>(kCallerBuffers + i));
     if (needed == 0) continue;
-    constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT;
+    constexpr VkBufferUsageFlags kUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                          VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     auto buffer = VulkanBuffer::create(core_, needed, kUsage, MemoryUse::device);
     if (!buffer) return tl::unexpected(buffer.error());
     (*made)[i] = std::move(*buffer);
@@ -99,8 +100,8 @@ Result<void> VulkanBinding::makeSets() {
     std::vector<Command>& commands = phases_.emplace_back();
     for (const TableDispatch& one : phase) {
       const std::uint32_t place = places.at(Key{one.stage, one.dispatch.ranges});
-      commands.push_back(
-          {one.pipeline, sets_.sets[place], one.dispatch.push, one.dispatch.groups, one.dispatch.groupRows});
+      commands.push_back({one.pipeline, sets_.sets[place], one.dispatch.push, one.dispatch.groups,
+                          one.dispatch.groupRows, one.dispatch.specialization.dealt != 0});
     }
   }
   return {};
@@ -171,6 +172,17 @@ void VulkanBinding::barrier(VkCommandBuffer commands) const {
                 {VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT});
 }
 
+// No tile was asked for yet.
+void VulkanBinding::dealAnew(VkCommandBuffer commands) const {
+  constexpr MemoryAccess kTiles{VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                                VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT};
+  constexpr MemoryAccess kDealer{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT};
+  const VulkanRange& scratch = ranges_[static_cast<std::size_t>(PointBuffer::tileScratch)];
+  memoryBarrier(*core_, commands, kTiles, kDealer);
+  core_->vk().vkCmdFillBuffer(commands, scratch.buffer, scratch.offset, sizeof(std::uint32_t), 0);
+  memoryBarrier(*core_, commands, kDealer, kTiles);
+}
+
 void VulkanBinding::record(VkCommandBuffer commands) const {
   const VulkanFunctions& vk = core_->vk();
   // The scratch may still be in use by the same binding, recorded before.
@@ -180,6 +192,7 @@ void VulkanBinding::record(VkCommandBuffer commands) const {
   for (std::size_t p = 0; p < phases_.size(); ++p) {
     if (p > 0 && !core_->options.leaveOutBarriers) barrier(commands);
     for (const Command& one : phases_[p]) {
+      if (one.dealt) dealAnew(commands);
       vk.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_->current(one.pipeline));
       vk.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipelines_->layout(), 0, 1, &one.set, 0,
                                  nullptr);

@@ -68,12 +68,14 @@ class VulkanBinding {
     VkDescriptorSet set = VK_NULL_HANDLE;
     PushConstants push;
     std::uint32_t groups = 1, groupRows = 1;
+    bool dealt = false;  ///< workgroups ask for tiles
   };
 
   Result<void> resolve(const VulkanTargets& targets);
   Result<void> makeScratch(const VulkanBinding* shared);
   Result<void> viewScratch();
   Result<void> makeSets();
+  void dealAnew(VkCommandBuffer commands) const;
   void writeSet(VkDescriptorSet set, const TableStage& stage, const BoundRanges& ranges) const;
   void writeTexels(VkDescriptorSet set, std::uint32_t slot, VkDescriptorType type, VkBufferView view) const;
   VkDescriptorBufferInfo bufferOf(const TableStage& stage, const BoundRange& range) const;

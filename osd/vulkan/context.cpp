@@ -31,6 +31,7 @@ struct FeatureChain {
   void enableWhatOf(const FeatureChain& present) {
     core.features.fillModeNonSolid = present.core.features.fillModeNonSolid;
     core.features.wideLines = present.core.features.wideLines;
+    core.features.shaderInt64 = present.core.features.shaderInt64;
     v12.timelineSemaphore = present.v12.timelineSemaphore;
     v12.scalarBlockLayout = present.v12.scalarBlockLayout;
     v13.dynamicRendering = present.v13.dynamicRendering;
@@ -113,6 +114,7 @@ Result<void> VulkanContext::makeDevice(const VulkanContextOptions& options) {
   dynamicRendering_ = enabled.v13.dynamicRendering == VK_TRUE;
   device_.timelineSemaphore = enabled.v12.timelineSemaphore == VK_TRUE;
   device_.fullSubgroups = enabled.v13.subgroupSizeControl == VK_TRUE && enabled.v13.computeFullSubgroups == VK_TRUE;
+  device_.longStores = enabled.core.features.shaderInt64 == VK_TRUE && enabled.v12.scalarBlockLayout == VK_TRUE;
 
   const float priority = 1.0F;
   VkDeviceQueueCreateInfo queue{};

@@ -30,7 +30,8 @@ struct VulkanContextOptions {
 /// An instance, a device and a queue for those who have none. The queue supports compute, and graphics where the device
 /// has such a family. Of the optional features those are on, where present, that drawing from the results needs:
 /// dynamicRendering, synchronization2, timelineSemaphore, scalarBlockLayout, fillModeNonSolid, wideLines; and those
-/// that tiles are faster with (VulkanDevice::fullSubgroups): subgroupSizeControl, computeFullSubgroups.
+/// that tiles are faster with (VulkanDevice::fullSubgroups, longStores): subgroupSizeControl, computeFullSubgroups,
+/// shaderInt64.
 /// Outlives everything created from device().
 class VulkanContext {
  public:

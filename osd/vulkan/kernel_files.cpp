@@ -34,6 +34,8 @@ const char* fileName(Kernel kernel) {
       return "normals.comp.spv";
     case Kernel::tileBuffer:
       return "tile_buffer.comp.spv";
+    case Kernel::tileLong:
+      return "tile_long.comp.spv";
     case Kernel::tileShared:
       return "tile_shared.comp.spv";
     case Kernel::zipFaceOf:

@@ -18,6 +18,7 @@ enum class Kernel : std::uint32_t {
   limits,
   normals,
   tileBuffer,
+  tileLong,
   tileShared,
   // Of connectivity, without arithmetic of points: VulkanTopology's.
   zipFaceOf,
@@ -34,10 +35,10 @@ enum class Kernel : std::uint32_t {
   zipHexagons,
   zipTwins
 };
-constexpr std::uint32_t kKernelCount = 24;
+constexpr std::uint32_t kKernelCount = 25;
 
 /// How tiles write a point: see shaders/tile.glsl.
-enum class TilePlacing : std::uint32_t { numbers, whole, pairs, fours };
+enum class TilePlacing : std::uint32_t { numbers, whole, pairs, fours, threes, sixes };
 
 /// The specialisation constants of shaders/evaluate.glsl, then those of shaders/tile.glsl, by constant_id.
 struct Specialization {
@@ -59,15 +60,16 @@ struct Specialization {
   std::uint32_t normalPairs = 0;  ///< two normals are written together
   std::uint32_t sameWeights = 0;  ///< TileImage::sameWeights
   std::uint32_t oneSubgroup = 0;  ///< a workgroup is one full subgroup, which the pipeline is then made to require
+  std::uint32_t dealt = 0;        ///< workgroups ask for their next tile
   /// All of them in order, to be compared.
   auto constants() const {
     return std::tie(workgroupSize, length, sourceStride, targetStride, normalStride, sides, pageShift, windowed, form,
                     scratchPoints, cases, placing, shares, otherCases, normalPage, normalPairs, sameWeights,
-                    oneSubgroup);
+                    oneSubgroup, dealt);
   }
   bool operator<(const Specialization& other) const { return constants() < other.constants(); }
 };
-constexpr std::uint32_t kSpecializationCount = 18;
+constexpr std::uint32_t kSpecializationCount = 19;
 static_assert(sizeof(Specialization) == kSpecializationCount * sizeof(std::uint32_t));
 
 /// Up to this many sides the loops of a kernel are unrolled and a circulant's weights are push constants. Unrolling

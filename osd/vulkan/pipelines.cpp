@@ -21,6 +21,7 @@ namespace {
 #include "shaders/sort_places.comp.h"
 #include "shaders/summed.comp.h"
 #include "shaders/tile_buffer.comp.h"
+#include "shaders/tile_long.comp.h"
 #include "shaders/tile_shared.comp.h"
 #include "shaders/zip_around.comp.h"
 #include "shaders/zip_face_of.comp.h"
@@ -52,6 +53,8 @@ std::span<const std::uint32_t> kernelCode(Kernel kernel) {
       return kNormalsComp;
     case Kernel::tileBuffer:
       return kTileBufferComp;
+    case Kernel::tileLong:
+      return kTileLongComp;
     case Kernel::tileShared:
       return kTileSharedComp;
     case Kernel::zipFaceOf:

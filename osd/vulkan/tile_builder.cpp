@@ -21,6 +21,9 @@ constexpr std::uint32_t kGroupOnGpu = 128;
 /// Workgroups at once on a GPU, each with a slice of the scratch and tile after tile: enough for all its cores.
 constexpr std::uint64_t kSlicesOnGpu = 1024;
 
+/// Texels of the scratch besides a tile's points: the dealer, and a slice's answer (shaders/tile_slices.glsl).
+constexpr std::uint64_t kOtherScratch = 2;
+
 std::vector<std::int32_t> chosen(const Far::TileTable& tiles, const VulkanTileOptions& options) {
   if (options.only) return {options.only->begin(), options.only->end()};
   std::vector<std::int32_t> all(tiles.tiles.size());
@@ -66,7 +69,21 @@ Result<Kernel> chooseKernel(const VulkanCore& core, TileScratch scratch, std::ui
                             bytes, core.limits.sharedBytes));
   }
   const bool shared = scratch == TileScratch::shared || (scratch == TileScratch::automatic && fits && !onCpu(core));
-  return shared ? Kernel::tileShared : Kernel::tileBuffer;
+  if (shared) return Kernel::tileShared;
+  return onCpu(core) && core.device.longStores ? Kernel::tileLong : Kernel::tileBuffer;
+}
+
+/// How the kernel writes the image's points: with the fewest stores that the alignment of these allows.
+TilePlacing placingOf(const Dispatch& dispatch, const TileImage& image) {
+  const Specialization& constants = dispatch.specialization;
+  const std::uint32_t offset = dispatch.push.targetOffset;
+  if (constants.length == 4 && (offset | constants.targetStride) % 4 == 0) return TilePlacing::whole;
+  if (constants.length != 3 || constants.targetStride != 3) return TilePlacing::numbers;
+  if (dispatch.kernel == Kernel::tileLong && offset % 3 == 0) {
+    return offset % 2 == 0 && image.pairs ? TilePlacing::sixes : TilePlacing::threes;
+  }
+  if (offset % 4 == 0 && image.fours) return TilePlacing::fours;
+  return offset % 2 == 0 && image.pairs ? TilePlacing::pairs : TilePlacing::numbers;
 }
 
 /// Errors: invalidOption for normals that there aren't, at this level or of such points.
@@ -148,7 +165,7 @@ Result<Dispatch> TableBuilder::tileDispatch(const Far::TileTable& tiles, const S
   const std::uint64_t slice = std::uint64_t{points} * kTexelBytes;
   const auto kernel = chooseKernel(*core_, scratch, slice);
   if (!kernel) return tl::unexpected(kernel.error());
-  if (slice > core_->limits.pageBytes) {
+  if (slice + kOtherScratch * kTexelBytes > core_->limits.pageBytes) {
     return fail(ErrorCode::tooLarge,
                 fmt::format("a tile keeps {} bytes, this Vulkan device binds {}: use smaller tiles "
                             "(TileOptions::scratchPoints) or refine level by level",
@@ -159,7 +176,8 @@ Result<Dispatch> TableBuilder::tileDispatch(const Far::TileTable& tiles, const S
   constants.workgroupSize = groupSize(*core_);
   // Rounded up, so that meshes share pipelines.
   constexpr std::uint32_t kRounding = 256;
-  dispatch.push.firstOutput = points;
+  dispatch.push.firstOutput = points + 1;
+  if (*kernel != Kernel::tileShared) constants.dealt = onCpu(*core_) ? 1 : 0;
   if (*kernel == Kernel::tileShared) {
     constants.scratchPoints = std::min((points + kRounding - 1) / kRounding * kRounding,
                                        core_->limits.sharedBytes / static_cast<std::uint32_t>(kTexelBytes));
@@ -218,8 +236,10 @@ Result<void> TableBuilder::addTileStage(const TileImage& image, const Place& roo
 // A point of more than four values is evaluated in pieces, and more tiles than workgroups may run in several
 // dispatches, one after the other: all have the same scratch.
 Result<void> TableBuilder::addPieces(const Dispatch& whole, const TileImage& image) {
-  const std::uint64_t most = whole.groups * tilesEach(*core_, image);
+  const std::uint64_t each = tilesEach(*core_, image);
+  const std::uint64_t most = whole.groups * each;
   Dispatch dispatch = whole;
+  dispatch.push.rowLength = static_cast<std::uint32_t>(std::min<std::uint64_t>(each, image.tileCount));
   for (std::int32_t done = 0; done < state_.options.refined.length; done += kPiece) {
     setPiece(dispatch, whole, image, done);
     const auto pipeline = pipelines_.get(dispatch.kernel, dispatch.specialization);
@@ -237,11 +257,13 @@ Result<void> TableBuilder::addPieces(const Dispatch& whole, const TileImage& ima
 void TableBuilder::setGroups(Dispatch& dispatch, const TileImage& image) {
   const VulkanLimits& limits = core_->limits;
   std::uint64_t groups = std::min<std::uint64_t>(dispatch.push.count, limits.groupsInRow);
-  if (dispatch.kernel == Kernel::tileBuffer) {
+  if (dispatch.kernel != Kernel::tileShared) {
     const std::uint64_t slice = dispatch.push.firstOutput;
-    groups = std::min({groups, slices(*core_, image), limits.pageBytes / kTexelBytes / slice, limits.texels / slice});
-    need(PointBuffer::tileScratch, groups * slice * kTexelBytes);
-    rangeOf(dispatch, Slot::target) = {Role::tileScratch, 0, groups * slice * kTexelBytes};
+    const std::uint64_t most = std::min<std::uint64_t>(limits.pageBytes / kTexelBytes, limits.texels) - 1;
+    groups = std::min({groups, slices(*core_, image), most / slice});
+    const std::uint64_t bytes = (1 + groups * slice) * kTexelBytes;
+    need(PointBuffer::tileScratch, bytes);
+    rangeOf(dispatch, Slot::target) = {Role::tileScratch, 0, bytes};
   }
   dispatch.groups = static_cast<std::uint32_t>(groups);
 }
@@ -258,11 +280,7 @@ void TableBuilder::setPiece(Dispatch& dispatch, const Dispatch& whole, const Til
   constants.placing = TilePlacing::numbers;
   constants.normalPairs = 0;
   if (constants.pageShift != 0) return;
-  const std::uint32_t offset = dispatch.push.targetOffset;
-  if (constants.length == 4 && (offset | constants.targetStride) % 4 == 0) constants.placing = TilePlacing::whole;
-  const bool packed = constants.length == 3 && constants.targetStride == 3;
-  if (packed && offset % 2 == 0 && image.pairs) constants.placing = TilePlacing::pairs;
-  if (packed && offset % 4 == 0 && image.fours) constants.placing = TilePlacing::fours;
+  constants.placing = placingOf(dispatch, image);
   if (normals() && normals()->stride == 3 && normals()->offset % 2 == 0 && image.pairs) constants.normalPairs = 1;
 }
 

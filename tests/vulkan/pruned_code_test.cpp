@@ -107,7 +107,7 @@ std::size_t branchesIn(const Words& code) {
 }
 
 TEST(PrunedCodeTest, EachCaseOfTilesIsABranchThatConstantsDecide) {
-  for (const Kernel kernel : {Kernel::tileBuffer, Kernel::tileShared}) {
+  for (const Kernel kernel : {Kernel::tileBuffer, Kernel::tileLong, Kernel::tileShared}) {
     const auto code = Osd::kernelCode(kernel);
     const std::size_t all = branchesIn({code.begin(), code.end()}), left = branchesIn(Osd::prunedCode(code, {}));
     EXPECT_GE(all - left, 49U);
