@@ -95,8 +95,7 @@ Result<Osd::VulkanTable> uploadTiles(Osd::VulkanEvaluator& evaluator, const hc_t
     if (tables.tileTable() == nullptr) return refuse("the file has no tiles; leave tiled at 0");
     return evaluator.uploadTiles(tables.levels(), *tables.tileTable(), upload);
   }
-  Far::TileOptions tile;
-  tile.scratchPoints = evaluator.tilePoints();
+  Far::TileOptions tile = evaluator.tileOptions();
   tile.level = level;
   if (options.normals.length != 0) tile.normals = kindOf(tables.normals);
   const Result<Far::TileTable> tiles = Far::buildTileTable(*tables.refinement, tile);

@@ -94,8 +94,7 @@ class VulkanBackend : public Backend {
  private:
   Result<Osd::VulkanTable> uploadTiles(const SurfaceTables& tables) {
     if (tables.tiles != nullptr) return evaluator_.uploadTiles(tables.levels, *tables.tiles);
-    const Result<Far::TileTable> tiles =
-        Far::buildTileTable(*tables.refinement, {.scratchPoints = evaluator_.tilePoints()});
+    const Result<Far::TileTable> tiles = Far::buildTileTable(*tables.refinement, evaluator_.tileOptions());
     if (!tiles) return tl::unexpected(tiles.error());
     return evaluator_.uploadTiles(tables.levels, *tiles);
   }

@@ -110,8 +110,9 @@ Result<Osd::VulkanTable> uploadLevels(Osd::VulkanEvaluator& evaluator, const Pro
 }
 
 Result<Osd::VulkanTable> uploadTiles(Osd::VulkanEvaluator& evaluator, const Problem& problem) {
-  Result<Far::TileTable> tiles = Far::buildTileTable(
-      problem.refinement, {.scratchPoints = evaluator.tilePoints(), .normals = tileNormals(problem.normals)});
+  Far::TileOptions cut = evaluator.tileOptions();
+  cut.normals = tileNormals(problem.normals);
+  const Result<Far::TileTable> tiles = Far::buildTileTable(problem.refinement, cut);
   if (!tiles) return tl::unexpected(tiles.error());
   Osd::VulkanTileOptions options;
   options.control = options.refined = problem.layout.desc;

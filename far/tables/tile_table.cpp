@@ -45,12 +45,15 @@ std::int64_t pointsPerTile(const Refinement& refinement, std::int32_t root, std:
 
 /// As many for all tiles, so that none is left over, and for as many tiles as are wanted.
 std::int64_t evenPointsPerTile(const Refinement& refinement, std::int32_t root, std::int32_t end, std::int64_t scratch,
-                               std::int32_t fewestTiles) {
+                               const TileOptions& options) {
   const std::int64_t first = pointsOf(refinement, root + 1);
   const std::int64_t most = pointsPerTile(refinement, root, end, scratch);
-  const std::int64_t sound =
-      std::min({std::int64_t{fewestTiles}, keptPoints(refinement, root, end) / kSmallTile, first / kFewestPoints});
-  const std::int64_t tiles = std::max<std::int64_t>({1, (first + most - 1) / most, sound});
+  const std::int64_t sound = std::min(keptPoints(refinement, root, end) / kSmallTile, first / kFewestPoints);
+  const std::int64_t needed = std::max<std::int64_t>(1, (first + most - 1) / most);
+  const std::int64_t wanted = std::max(needed, std::min<std::int64_t>(options.fewestTiles, sound));
+  const std::int64_t rounds = (wanted + options.workers - 1) / options.workers;
+  std::int64_t tiles = rounds * options.workers;
+  if (tiles > sound) tiles = std::max(needed, (rounds - 1) * options.workers);
   return (first + tiles - 1) / tiles;
 }
 
@@ -121,6 +124,9 @@ Result<void> checkOptions(const Refinement& refinement, std::int32_t last, const
     return fail(ErrorCode::invalidOption,
                 fmt::format("fewestTiles {} is out of range; use 1 or more", options.fewestTiles));
   }
+  if (options.workers < 1) {
+    return fail(ErrorCode::invalidOption, fmt::format("workers {} is out of range; use 1 or more", options.workers));
+  }
   if (options.scratchPoints < 64 || options.scratchPoints > kMostTilePoints) {
     return fail(ErrorCode::invalidOption,
                 fmt::format("scratchPoints {} is out of range; use 64 to {}", options.scratchPoints, kMostTilePoints));
@@ -150,7 +156,7 @@ Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions
     table.lastLevel = last;
     table.normalKind = options.normals;
     table.rootLevel = chooseRoot(refinement, last, end, std::max<std::int64_t>(scratch, 1));
-    const std::int64_t size = evenPointsPerTile(refinement, table.rootLevel, end, scratch, options.fewestTiles);
+    const std::int64_t size = evenPointsPerTile(refinement, table.rootLevel, end, scratch, options);
     TilePlan plan(refinement, table.rootLevel, last,
                   static_cast<std::int32_t>(std::min<std::int64_t>(size, kMostTilePoints)), options);
     std::vector<TileParts> parts = assemble(plan);

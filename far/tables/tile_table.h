@@ -56,6 +56,7 @@ struct TileOptions {
                                       ///< half a second-level cache holds; 64 .. 32768
   std::int32_t fewestTiles = 1;       ///< at least so many, where each still keeps 4096 points: several a thread, so
                                       ///< that all are busy to the end (Osd::cpuTileOptions); from 1
+  std::int32_t workers = 1;           ///< threads that share the tiles: where it can be, as many tiles for each; from 1
   TileOrder order = TileOrder::levels;
   TileNormalKind normals = TileNormalKind::none;
   TilePlaces places = TilePlaces::faces;

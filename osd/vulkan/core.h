@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <thread>
 
 #include "osd/vulkan/device.h"
 #include "osd/vulkan/errors.h"
@@ -59,6 +61,11 @@ constexpr std::uint32_t kSourcePages = 8;
 
 /// Invocations in a workgroup of every kernel: workgroups from 64 up measure alike on lavapipe.
 constexpr std::uint32_t kWorkgroupSize = 64;
+
+/// Threads that run the workgroups of a device that is a CPU: all of the machine.
+inline std::uint32_t deviceThreads() {
+  return std::max(1U, std::thread::hardware_concurrency());
+}
 
 /// What everything an evaluator makes refers to: the device, its functions, its limits.
 struct VulkanCore {

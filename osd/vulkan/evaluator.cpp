@@ -90,6 +90,15 @@ std::int32_t VulkanEvaluator::tilePoints(TileScratch scratch) const {
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(shared * 3 / 4, 64, Far::kMostTilePoints));
 }
 
+Far::TileOptions VulkanEvaluator::tileOptions(TileScratch scratch) const {
+  constexpr std::int32_t kTilesAThread = 4;
+  Far::TileOptions options{.scratchPoints = tilePoints(scratch)};
+  if (core_->type != VK_PHYSICAL_DEVICE_TYPE_CPU) return options;
+  options.workers = static_cast<std::int32_t>(deviceThreads());
+  options.fewestTiles = kTilesAThread * options.workers;
+  return options;
+}
+
 Result<VulkanTable> VulkanEvaluator::uploadTiles(Far::LevelTables levels, const Far::TileTable& tiles,
                                                  const VulkanTileOptions& options) {
   auto table = guarded([&]() -> Result<VulkanTable> { return buildTable(core_, *pipelines_, levels, tiles, options); });

@@ -76,6 +76,9 @@ class VulkanEvaluator {
   /// In a buffer: 30720, at which lavapipe takes 5 to 12 % less time than with 16384; tiles may grow past it by a
   /// fifteenth. Points come out the same whatever it is.
   std::int32_t tilePoints(TileScratch scratch = TileScratch::automatic) const;
+  /// How tiles are cut for this device, normals aside: tilePoints(); for a CPU four a thread or more, and as many for
+  /// each, where they keep points enough.
+  Far::TileOptions tileOptions(TileScratch scratch = TileScratch::automatic) const;
 
   /// Pipelines so far, of all tables: where an upload makes it grow there was something to compile.
   std::size_t pipelineCount() const { return pipelines_->count(); }

@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <numeric>
-#include <thread>
 
 #include "far/base/index.h"
 #include "osd/piece.h"
@@ -54,7 +53,7 @@ std::uint64_t tilesEach(const VulkanCore& core, const TileImage& image) {
 std::uint64_t slices(const VulkanCore& core, const TileImage& image) {
   if (!onCpu(core)) return kSlicesOnGpu;
   const std::uint64_t each = tilesEach(core, image);
-  const std::uint64_t threads = std::max(1U, std::thread::hardware_concurrency());
+  const std::uint64_t threads = deviceThreads();
   const std::uint64_t rounds = (image.tileCount + each * threads - 1) / (each * threads);
   return std::max<std::uint64_t>(1, rounds) * threads;
 }

@@ -313,6 +313,10 @@ TEST(TileTable, HasTilesForAllThreadsOfOneSize) {
   EXPECT_LT(std::ranges::max(own), 1.2 * std::ranges::min(own)) << "no tile is left over";
   // 159,000 points are kept: a hundred tiles would be too small.
   EXPECT_EQ(sizes({.scratchPoints = 32768, .fewestTiles = 100}).size(), 38U);
+  EXPECT_EQ(sizes({.scratchPoints = 32768, .workers = 2}).size(), 8U) << "as many for each thread";
+  EXPECT_EQ(sizes({.scratchPoints = 32768, .workers = 5}).size(), 10U);
+  EXPECT_EQ(sizes({.scratchPoints = 32768, .fewestTiles = 100, .workers = 16}).size(), 32U);
+  EXPECT_EQ(sizes({.scratchPoints = 32768, .workers = 40}).size(), 7U) << "forty would be too small";
 }
 
 TEST(TileTable, RefusesLevelsAndSizesOutOfRange) {
@@ -321,6 +325,7 @@ TEST(TileTable, RefusesLevelsAndSizesOutOfRange) {
   EXPECT_FALSE(Far::buildTileTable(refinement, {.scratchPoints = 63}).has_value());
   EXPECT_FALSE(Far::buildTileTable(refinement, {.scratchPoints = 32769}).has_value());
   EXPECT_FALSE(Far::buildTileTable(refinement, {.fewestTiles = 0}).has_value());
+  EXPECT_FALSE(Far::buildTileTable(refinement, {.workers = 0}).has_value());
   EXPECT_FALSE(Far::buildTileTable(refined(cube(), schemeCase(NamedTension::paper).scheme, 0)).has_value());
 }
 
