@@ -43,6 +43,14 @@ struct FeatureChain {
 
 }  // namespace
 
+bool longStoresPay() {
+#if defined(__x86_64__)
+  return __builtin_cpu_is("intel") == 0 || __builtin_cpu_supports("avx512f") == 0;
+#else
+  return true;
+#endif
+}
+
 Result<VulkanContext> VulkanContext::create(const VulkanContextOptions& options) {
   return guarded([&]() -> Result<VulkanContext> {
     VulkanContext context;
@@ -114,7 +122,8 @@ Result<void> VulkanContext::makeDevice(const VulkanContextOptions& options) {
   dynamicRendering_ = enabled.v13.dynamicRendering == VK_TRUE;
   device_.timelineSemaphore = enabled.v12.timelineSemaphore == VK_TRUE;
   device_.fullSubgroups = enabled.v13.subgroupSizeControl == VK_TRUE && enabled.v13.computeFullSubgroups == VK_TRUE;
-  device_.longStores = enabled.core.features.shaderInt64 == VK_TRUE && enabled.v12.scalarBlockLayout == VK_TRUE;
+  device_.longStores =
+      enabled.core.features.shaderInt64 == VK_TRUE && enabled.v12.scalarBlockLayout == VK_TRUE && longStoresPay();
 
   const float priority = 1.0F;
   VkDeviceQueueCreateInfo queue{};

@@ -24,6 +24,10 @@ struct VulkanQueueLock {
   }
 };
 
+/// Is a device that is this machine's CPU faster with VulkanDevice::longStores? With lavapipe a tenth (AMD, AVX-512);
+/// no where its 512-bit vectors are slow to read back from the stack in parts (Intel with AVX-512: 10 to 25 % slower).
+bool longStoresPay();
+
 /// A Vulkan device somebody owns: the caller's engine, or a VulkanContext. All handles, and what `allocator` points to,
 /// outlive what is created from them.
 struct VulkanDevice {
@@ -42,8 +46,8 @@ struct VulkanDevice {
   /// Were subgroupSizeControl and computeFullSubgroups (Vulkan 1.3) switched on with the device? Not needed; devices
   /// that are CPUs evaluate tiles with them in a tenth less time, since a workgroup is then sure to be one subgroup.
   bool fullSubgroups = false;
-  /// Were shaderInt64 and scalarBlockLayout switched on with the device? Not needed; devices that are CPUs write the
-  /// points of tiles two numbers a store with them, which takes a tenth to a sixth less time.
+  /// Were shaderInt64 and scalarBlockLayout switched on with the device, and should they be used (longStoresPay())? Not
+  /// needed; devices that are CPUs write the points of tiles two numbers a store with them.
   bool longStores = false;
   /// Host memory of every object that is created from this device; null: the driver's own. Not for the device itself.
   const VkAllocationCallbacks* allocator = nullptr;
