@@ -57,6 +57,7 @@
   X(vkEndCommandBuffer)                      \
   X(vkFreeMemory)                            \
   X(vkGetBufferMemoryRequirements2)          \
+  X(vkGetFenceStatus)                        \
   X(vkGetPipelineCacheData)                  \
   X(vkGetQueryPoolResults)                   \
   X(vkGetSemaphoreCounterValue)              \
