@@ -1,6 +1,8 @@
 // Tiles on the device: the same bits as the serial evaluator's, level after level.
 #include <gmock/gmock.h>
 
+#include <thread>
+
 #include "far/base/index.h"
 #include "far/schemes/akleman.h"
 #include "far/tables/tile_table.h"
@@ -160,6 +162,18 @@ TEST_F(TilesTest, OfSoManyLargeFacesThatAWorkgroupsLoopsTurnOften) {
   EXPECT_TRUE(agree(refinement, {.scratchPoints = 8192}));
   evaluator.emplace(makeEvaluator({.maxWorkgroupsInRow = 1}));
   EXPECT_TRUE(agree(refinement, {.scratchPoints = 8192})) << "several dispatches";
+}
+
+TEST_F(TilesTest, AreCutForTheThreadsOfACpu) {
+  const Far::TileOptions options = evaluator->tileOptions();
+  EXPECT_EQ(options.scratchPoints, evaluator->tilePoints());
+  EXPECT_EQ(options.workers, static_cast<std::int32_t>(std::thread::hardware_concurrency()));
+  EXPECT_GE(options.fewestTiles, 2 * options.workers);
+  const Far::TileTable tiles = must(Far::buildTileTable(aklemanOf(Meshes::torus(60, 50), 4), options));
+  // 38 tiles are as many as keep enough points.
+  if (options.workers <= 16) {
+    EXPECT_EQ(tiles.tiles.size() % at(options.workers), 0U);
+  }
 }
 
 TEST_F(TilesTest, OfASingleFace) {
