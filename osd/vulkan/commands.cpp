@@ -105,11 +105,6 @@ Result<void> CommandRunner::submit() {
 Result<void> CommandRunner::wait() {
   if (!running_) return {};
   const VkFence fence = fence_.get();
-  if (core_->type == VK_PHYSICAL_DEVICE_TYPE_CPU) {
-    // How it ended, the wait says.
-    const auto ended = [&] { return core_->vk().vkGetFenceStatus(core_->device.device, fence) != VK_NOT_READY; };
-    static_cast<void>(cpuWait_.ask(ended));
-  }
   const VkResult result = core_->vk().vkWaitForFences(core_->device.device, 1, &fence, VK_TRUE, UINT64_MAX);
   // A lost device runs nothing any more; after any other failure the commands may still be running.
   running_ = result != VK_SUCCESS && result != VK_ERROR_DEVICE_LOST;

@@ -4,7 +4,6 @@
 
 #include "far/base/result.h"
 #include "osd/vulkan/core.h"
-#include "osd/vulkan/cpu_wait.h"
 #include "osd/vulkan/handles.h"
 
 namespace honeycomb::Osd {
@@ -48,7 +47,6 @@ class CommandRunner {
   DeviceHandle<VkFence> fence_;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   bool running_ = false;
-  CpuWait cpuWait_;
 };
 
 }  // namespace honeycomb::Osd

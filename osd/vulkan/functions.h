@@ -57,7 +57,6 @@
   X(vkEndCommandBuffer)                      \
   X(vkFreeMemory)                            \
   X(vkGetBufferMemoryRequirements2)          \
-  X(vkGetFenceStatus)                        \
   X(vkGetPipelineCacheData)                  \
   X(vkGetQueryPoolResults)                   \
   X(vkGetSemaphoreCounterValue)              \

@@ -14,7 +14,6 @@ set(vulkan_tests
   batches_test.cpp
   callers_device_test.cpp
   context_test.cpp
-  cpu_wait_test.cpp
   device_validation_test.cpp
   evaluator_test.cpp
   faults_test.cpp
