@@ -217,6 +217,7 @@ TEST_F(WindowTest, DroppedFilesArePlayed) {
   ASSERT_TRUE(dropFiles({other}));
   EXPECT_TRUE(shows(headless({other, "--levels", "1", "--size", "240x150"}, 0)));
   ASSERT_TRUE(dropFiles({frames, mesh})) << "a cache and its mesh, in any order";
+  ASSERT_TRUE(shows(headless(0))) << "a key before that is for the cube, which has one frame";
   display->act("key Right");
   EXPECT_TRUE(shows(headless(1)));
 }
