@@ -32,9 +32,27 @@ void frameNormals(const Far::TileFrames& frames, const Real* w, const Far::TileP
   }
 }
 
-/// The faces of a step whose normals are found from what it reads, as frames but for the indices.
-inline Far::TileFrames bornFrames(const Far::TileStep& step, const Far::TileBorn& born) {
-  return {step.width, step.count, 0, born.firstWeight};
+/// Calls visit(frames, their corners, the tile's number of the first normal, step) for the faces whose normals tile
+/// `number` finds. step: of TileTable::steps, what reads the same corners (TileBorn), or -1; frames.firstIndex counts
+/// where it is -1 alone.
+template <class Visit>
+void forTileFrames(const Far::TileTable& table, std::int32_t number, const Visit& visit) {
+  const Far::TileNormals& normals = table.normals;
+  const Far::TileNormalRange& range = normals.tiles[at(number)];
+  std::int32_t next = range.importCount;
+  for (const Far::TileFrames& frames :
+       std::span(normals.frames).subspan(at(range.firstFrames), at(range.framesCount))) {
+    visit(frames, normals.indices.data() + frames.firstIndex, next, -1);
+    next += frames.count;
+  }
+  const Far::Tile& tile = table.tiles[at(number)];
+  for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
+    const Far::TileBorn& born = normals.born[at(s)];
+    if (born.firstNormal < 0) continue;
+    const Far::TileStep& step = table.steps[at(s)];
+    visit(Far::TileFrames{step.width, step.count, 0, born.firstWeight}, table.indices.data() + step.firstIndex,
+          born.firstNormal, s);
+  }
 }
 
 /// The normals of the faces that a tile knows.
@@ -44,28 +62,14 @@ void tileFaceNormals(const Far::TileTable& table, std::int32_t number, const Rea
   const Far::TileNormals& normals = table.normals;
   const Far::TileNormalRange& range = normals.tiles[at(number)];
   const View<Real> own{views.scratch, kTileStride};
-  const auto weights = [&](const Far::TileFrames& frames) {
-    return normals.weightsAs<Real>().data() + frames.firstWeight;
-  };
   for (std::int32_t i = 0; i < range.importCount; ++i) {
     store(load<3>(views.shared.point(normals.imports[at(range.firstImport + i)])), own.point(i));
   }
-  std::int32_t next = range.importCount;
-  for (const Far::TileFrames& frames :
-       std::span(normals.frames).subspan(at(range.firstFrames), at(range.framesCount))) {
-    frameNormals(frames, weights(frames), normals.indices.data() + frames.firstIndex, points,
-                 {own.point(next), own.stride});
-    next += frames.count;
-  }
-  const Far::Tile& tile = table.tiles[at(number)];
-  for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
-    const Far::TileBorn& born = normals.born[at(s)];
-    if (born.firstNormal < 0) continue;
-    const Far::TileStep& step = table.steps[at(s)];
-    const Far::TileFrames frames = bornFrames(step, born);
-    frameNormals(frames, weights(frames), table.indices.data() + step.firstIndex, points,
-                 {own.point(born.firstNormal), own.stride});
-  }
+  const Real* weights = normals.weightsAs<Real>().data();
+  forTileFrames(table, number,
+                [&](const Far::TileFrames& frames, const Far::TilePoint* index, std::int32_t first, std::int32_t) {
+                  frameNormals(frames, weights + frames.firstWeight, index, points, {own.point(first), own.stride});
+                });
 }
 
 /// The normals of a step's outputs of the last level.

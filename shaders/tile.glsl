@@ -7,8 +7,9 @@
 // and the body of a loop once more than needed where the loop is left at its top: hence a branch of its own for each
 // kind of step a table has, and loops that are left at their bottom.
 //
-// Of the push constants: count is tiles, rowLength how many a workgroup may run, firstTask the texel of the first; sides is the numbers from a shared point to
-// the next, firstRecord the numbers before the first; firstOutput is the points of a slice of the scratch.
+// Of the push constants: count is tiles, rowLength how many a workgroup may run, firstTask the texel of the first; sides is
+// the numbers from a shared point to the next, firstRecord the numbers before the first; firstOutput is the points of a
+// slice of the scratch.
 
 layout(constant_id = 10) const uint kCases = 0xffffffffu;  // bit k: the table has steps of case k
 layout(constant_id = 11) const uint kPlacing = 0u;         // how points are written: one of those below

@@ -24,7 +24,6 @@ class AlignedFloats {
 
  private:
   static constexpr std::size_t kLine = 16;
-  static constexpr std::size_t kHugePage = std::size_t{2} << 20;
   struct Release {
     std::size_t bytes;
     void operator()(float* data) const { freeBytes(data, bytes); }

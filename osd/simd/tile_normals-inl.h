@@ -173,24 +173,12 @@ HWY_INLINE void faceNormals(const Far::TileTable& table, std::int32_t number, co
     std::copy_n(views.shared.point(normals.imports[at(range.firstImport + i)]), 3, to(i));
     to(i)[3] = 0;
   }
-  std::int32_t next = range.importCount;
-  for (std::int32_t b = range.firstFrames; b < range.firstFrames + range.framesCount; ++b) {
-    const Far::TileFrames& frames = normals.frames[at(b)];
-    normalsOfFaces(normals, frames, normals.indices.data() + frames.firstIndex, points, to(next));
-    next += frames.count;
-  }
-  const Far::Tile& tile = table.tiles[at(number)];
-  for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
-    const Far::TileBorn& born = normals.born[at(s)];
-    if (born.firstNormal < 0) continue;
-    const Far::TileStep& step = table.steps[at(s)];
-    if (crossedAtBirth(table, s)) {
-      makeRowUnit(to(born.firstNormal), step.count);
-    } else {
-      normalsOfFaces(normals, Kernels::bornFrames(step, born), table.indices.data() + step.firstIndex, points,
-                     to(born.firstNormal));
-    }
-  }
+  const auto find = [&](const Far::TileFrames& frames, const Far::TilePoint* index, std::int32_t first,
+                        std::int32_t step) HWY_ATTR {
+    if (step >= 0 && crossedAtBirth(table, step)) return makeRowUnit(to(first), frames.count);
+    normalsOfFaces(normals, frames, index, points, to(first));
+  };
+  Kernels::forTileFrames(table, number, find);
 }
 
 /// Vectors of faces made unit together, so that those of hexagons are whole fours.

@@ -25,22 +25,14 @@ void TileImageBuilder::addFastNormals(std::int32_t number) {
   largest_ = std::max(largest_, firstNormal_ + static_cast<TileWord>(range.normalCount));
   const std::size_t begin = steps_.size();
   addImportedNormals(std::span(normals.imports).subspan(at(range.firstImport), at(range.importCount)), firstNormal_);
-  TileWord place = firstNormal_ + static_cast<TileWord>(range.importCount);
-  for (const Far::TileFrames& frames :
-       std::span(normals.frames).subspan(at(range.firstFrames), at(range.framesCount))) {
-    addFaceNormals(frames, normals.indices.data() + frames.firstIndex, place);
-    place += static_cast<TileWord>(frames.count);
-  }
-  const Far::Tile& tile = table_.tiles[at(number)];
-  for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
-    const Far::TileBorn& born = normals.born[at(s)];
-    if (born.firstNormal < 0) continue;
-    const TileStep& step = table_.steps[at(s)];
-    addFaceNormals(Kernels::bornFrames(step, born), table_.indices.data() + step.firstIndex,
-                   firstNormal_ + static_cast<TileWord>(born.firstNormal));
-  }
+  Kernels::forTileFrames(
+      table_, number,
+      [&](const Far::TileFrames& frames, const Far::TilePoint* index, std::int32_t first, std::int32_t) {
+        addFaceNormals(frames, index, firstNormal_ + static_cast<TileWord>(first));
+      });
   if (begin < steps_.size()) steps_[begin + 6] = 1;
   const std::size_t vertices = steps_.size();
+  const Far::Tile& tile = table_.tiles[at(number)];
   for (std::int32_t s = tile.firstStep; s < tile.firstStep + tile.stepCount; ++s) {
     if (normals.firstFace[at(s)] < 0) continue;
     const TileStep& step = table_.steps[at(s)];
