@@ -10,6 +10,7 @@
 #include "osd/tile_evaluator.h"
 #include "tests/support/creased.h"
 #include "tests/support/instruction_sets.h"
+#include "tests/support/must.h"
 #include "tests/support/refined.h"
 #include "tests/support/same_bits.h"
 #include "tests/support/scheme_list.h"
