@@ -98,6 +98,9 @@ void visitTileLimits(Limits& limits, const Visit& visit) {
   visit(exactTiles, 0, limits.tiles);
   visit(exactFrames, 0, limits.frames);
   visit(exactIndices, 0, limits.indices);
+  visit(exactRingTiles, 0, limits.ringTiles);
+  visit(exactRings, 0, limits.rings);
+  visit(exactWindows, 0, limits.windows);
   visit(exactWeights, 0, limits.weights);
   visit(exactWeightsSingle, 0, limits.weightsSingle);
   visitArrays(limits.shared, kSharedLimits, visit);

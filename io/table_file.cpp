@@ -187,6 +187,7 @@ Result<void> TableFile::State::readTables(SectionReader& reader) {
     visitArrays(*tiles, visit);
     // Files of before these were known.
     if (tiles->normals.born.empty()) tiles->normals.born.resize(tiles->normals.firstFace.size(), Far::TileBorn{});
+    if (tiles->limits.ringTiles.empty()) tiles->limits.ringTiles.resize(tiles->limits.tiles.size(), {0, 0});
   }
   mesh.vertexCount = record.vertexCount;
   reader(TableArray::faceOffsets, 0, mesh.faceOffsets);
@@ -226,9 +227,11 @@ Result<void> TableFile::State::proveTileTable() const {
   if (!tiles) return {};
   // A truth value of another byte than 0 and 1 must not even be read.
   const auto steps = std::as_bytes(std::span(tiles->steps));
-  for (std::size_t i = offsetof(Far::TileStep, sameWeights); i < steps.size(); i += sizeof(Far::TileStep)) {
-    if (steps[i] > std::byte{1})
-      return unsound(fmt::format("tiles: step {} has no such weights", i / sizeof(Far::TileStep)));
+  for (const std::size_t flag : {offsetof(Far::TileStep, sameWeights), offsetof(Far::TileStep, rings)}) {
+    for (std::size_t i = flag; i < steps.size(); i += sizeof(Far::TileStep)) {
+      if (steps[i] > std::byte{1})
+        return unsound(fmt::format("tiles: step {} has no such weights or rings", i / sizeof(Far::TileStep)));
+    }
   }
   return about("tiles", Far::proveTiles(*tiles, views()));
 }

@@ -67,7 +67,10 @@ constexpr std::array kArrayNames{ArrayName{TableArray::info, "info"},
                                  ArrayName{TableArray::exactFrames, "exactFrames"},
                                  ArrayName{TableArray::exactIndices, "exactIndices"},
                                  ArrayName{TableArray::exactWeights, "exactWeights"},
-                                 ArrayName{TableArray::exactWeightsSingle, "exactWeightsSingle"}};
+                                 ArrayName{TableArray::exactWeightsSingle, "exactWeightsSingle"},
+                                 ArrayName{TableArray::exactRingTiles, "exactRingTiles"},
+                                 ArrayName{TableArray::exactRings, "exactRings"},
+                                 ArrayName{TableArray::exactWindows, "exactWindows"}};
 
 }  // namespace
 

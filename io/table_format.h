@@ -108,7 +108,10 @@ enum class TableArray : std::uint32_t {
   exactFrames = 81,
   exactIndices = 82,
   exactWeights = 83,
-  exactWeightsSingle = 84
+  exactWeightsSingle = 84,
+  exactRingTiles = 85,
+  exactRings = 86,
+  exactWindows = 87
 };
 
 /// "tileImports"; empty for a kind that this reader doesn't know.
@@ -165,15 +168,15 @@ struct Padding<Far::CirculantBatch> {
 };
 template <>
 struct Padding<Far::TileStep> {
-  static constexpr std::size_t begin = 5, end = 8;
+  static constexpr std::size_t begin = 6, end = 8;
 };
 static_assert(sizeof(Far::CirculantBatch) == 28 && offsetof(Far::CirculantBatch, form) == 24);
 static_assert(sizeof(Far::TileStep) == 28 && offsetof(Far::TileStep, sameWeights) == 4 &&
-              offsetof(Far::TileStep, width) == 8);
+              offsetof(Far::TileStep, rings) == 5 && offsetof(Far::TileStep, width) == 8);
 static_assert(sizeof(Far::ProjectedFace) == 24 && sizeof(Far::DenseRows) == 20 && sizeof(Far::FrameBatch) == 20);
 static_assert(sizeof(Far::Tile) == 20 && sizeof(Far::TileStage) == 12 && sizeof(Far::TileRow) == 8);
 static_assert(sizeof(Far::TileNormalRange) == 20 && sizeof(Far::TileFrames) == 16 && sizeof(Far::TileBorn) == 8);
 static_assert(sizeof(Far::TileVertexFrames) == 24 && sizeof(Far::TileLimits::Range) == 8 &&
-              sizeof(Far::SharedPoints::Run) == 12 && sizeof(Far::TilePoint) == 2);
+              sizeof(Far::TileRings) == 12 && sizeof(Far::SharedPoints::Run) == 12 && sizeof(Far::TilePoint) == 2);
 
 }  // namespace honeycomb::Io

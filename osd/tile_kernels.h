@@ -64,6 +64,7 @@ inline Outputs outputsFrom(const Far::TileTable& table, std::int32_t first) {
 struct StageTarget {
   std::int32_t kept = -1;  ///< TileStage::firstPoint; -1: not kept
   std::int32_t fours = 0;  ///< kept as TilePlaces::fours: so many of the faces
+  bool rings = false;      ///< kept as rings
   bool wanted = false;
   Outputs outputs;
 };
@@ -75,6 +76,7 @@ inline StageTarget stageTarget(const Far::TileTable& table, const Far::TileStep&
   StageTarget target;
   if (here < level || last > level) target.kept = stage.firstPoint;
   target.fours = Far::facesInFours(table.places, step.count);
+  target.rings = step.rings && here > table.lastLevel;
   target.wanted = here == level && stage.firstOutput >= 0;
   if (target.wanted) target.outputs = outputsFrom(table, stage.firstOutput);
   return target;
@@ -117,14 +119,17 @@ void tileFaces(const Far::TileTable& table, const Far::TileStep& step, std::int3
     for (std::int32_t s = 0; s < stages; ++s) {
       const StageTarget target = stageTarget(table, step, s, views.level, views.last);
       const bool kept = target.kept >= 0;
-      const Far::FacePlaces places = Far::placesOfFace(table.places, g, step.count, n);
-      const View<Real> out = kept ? View<Real>{own.point(target.kept + places.first), own.stride * places.step}
+      const Far::FacePlaces places =
+          target.rings ? Far::placesOfRing(g, n) : Far::placesOfFace(table.places, g, step.count, n);
+      const std::int32_t first = target.kept + places.first + (target.rings ? places.step : 0);
+      const View<Real> out = kept ? View<Real>{own.point(first), own.stride * places.step}
                                   : View<Real>{views.target.point(target.outputs.of(g, n)), views.target.stride};
       const Real* weights = table.weightsAs<Real>().data() + table.stages[at(step.firstStage + s)].firstWeight;
       circulantFace<N>(step.form, weights, p, n, out, 0);
+      if (target.rings) store(load<Width>(out.point(n - 1)), own.point(target.kept + places.first));
       if (kept && target.wanted) {
-        const std::int32_t first = target.outputs.of(g, n);
-        for (std::int32_t i = 0; i < n; ++i) store(load<Width>(out.point(i)), views.target.point(first + i));
+        const std::int32_t written = target.outputs.of(g, n);
+        for (std::int32_t i = 0; i < n; ++i) store(load<Width>(out.point(i)), views.target.point(written + i));
       }
       if (s + 1 == stages) break;
       for (std::int32_t i = 0; i < n; ++i) p[i] = load<Width>(out.point(i));

@@ -99,6 +99,53 @@ void tileVertexNormals(const Far::TileTable& table, std::int32_t number, const N
   }
 }
 
+/// Faces whose vertices' exact normals are found round them.
+struct RingFaces {
+  const Far::TileStep& step;
+  std::int32_t kept;             ///< the tile's own point of the last level that is their first
+  std::int32_t firstWeight;      ///< of the form of the level behind
+  const Far::TilePoint* window;  ///< as TileLimits::windows
+  Outputs outputs;
+};
+
+inline RingFaces ringFaces(const Far::TileTable& table, const Far::TileRings& rings) {
+  const Far::TileStep& step = table.steps[at(rings.step)];
+  const Far::TileStage& stage = table.stages[at(step.firstStage + table.lastLevel - step.level)];
+  return {step, stage.firstPoint, rings.firstWeight, table.limits.windows.data() + rings.firstIndex,
+          outputsFrom(table, stage.firstOutput)};
+}
+
+/// The normals of the vertices of such faces, N sides or any number if 0.
+template <int N, class Real>
+void ringNormals(const Far::TileTable& table, const RingFaces& faces, const Real* points,
+                 const NormalViews<Real>& views) {
+  constexpr int kMost = N > 0 ? N : Far::kLargestCirculant;
+  const std::int32_t n = N > 0 ? N : faces.step.width;
+  const Real* weights = table.weightsAs<Real>().data() + faces.firstWeight;
+  const Far::TilePoint* window = faces.window;
+  for (std::int32_t g = 0; g < faces.step.count; ++g, window += n) {
+    const Far::FacePlaces places = Far::placesOfFace(table.places, g, faces.step.count, n);
+    const View<const Real> corners{points + std::int64_t{kTileStride} * (faces.kept + places.first),
+                                   std::int64_t{kTileStride} * places.step};
+    std::array<Real, 3> p[kMost];
+    for (std::int32_t i = 0; i < n; ++i) p[i] = load<3>(corners.point(i));
+    Real behind[3 * kMost];
+    circulantFace<N>(faces.step.form, weights, p, n, View<Real>{behind, 3}, 0);
+    const auto own = [&](std::int32_t i) { return load<3>(behind + 3 * (i < 0 ? i + n : i)); };
+    const auto across = [&](std::int32_t i, std::int32_t k) {
+      const View<const Real> three{byTilePoint(points).point(window[i < n ? i : 0]), kTileStride * Far::kTileFours};
+      return load<3>(three.point(k));
+    };
+    for (std::int32_t i = 0; i < n; ++i) {
+      const std::array<Real, 3> hexagon[6] = {own(i),       own(i - 1),       across(i, 1),
+                                              across(i, 0), across(i + 1, 2), across(i + 1, 1)};
+      const auto a = ((hexagon[0] + hexagon[1]) - hexagon[3]) - hexagon[4];
+      const auto b = ((hexagon[1] + hexagon[2]) - hexagon[4]) - hexagon[5];
+      store(unitNormal(a, b), views.target.point(faces.outputs.of(g, n) + i));
+    }
+  }
+}
+
 /// The exact normals of the points that a tile writes.
 template <class Real>
 void evaluateTileLimits(const Far::TileTable& table, std::int32_t number, const Real* points,
@@ -106,8 +153,7 @@ void evaluateTileLimits(const Far::TileTable& table, std::int32_t number, const 
   const Far::TileLimits& limits = table.limits;
   const Far::TileLimits::Range& range = limits.tiles[at(number)];
   const View<const Real> own = byTilePoint(points);
-  for (const Far::TileVertexFrames& frames :
-       std::span(limits.frames).subspan(at(range.firstFrames), at(range.framesCount))) {
+  for (const Far::TileVertexFrames& frames : std::span(limits.frames).subspan(at(range.first), at(range.count))) {
     const std::int32_t n = frames.sides;
     const Outputs outputs = outputsFrom(table, frames.firstOutput);
     const Real* w = limits.weightsAs<Real>().data() + frames.firstWeight;
@@ -120,6 +166,11 @@ void evaluateTileLimits(const Far::TileTable& table, std::int32_t number, const 
         store(unitNormal(t1, t2), views.target.point(first + i));
       }
     }
+  }
+  const Far::TileLimits::Range& rings = limits.ringTiles[at(number)];
+  for (const Far::TileRings& some : std::span(limits.rings).subspan(at(rings.first), at(rings.count))) {
+    const RingFaces faces = ringFaces(table, some);
+    forSides(faces.step.width, [&](auto sides) { ringNormals<decltype(sides)::value>(table, faces, points, views); });
   }
 }
 

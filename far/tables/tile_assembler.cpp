@@ -69,10 +69,12 @@ constexpr int kLastBits = 7;
 
 }  // namespace
 
-std::uint64_t TileAssembler::keyOf(std::int32_t batch, bool owned, std::int32_t last, std::int32_t unit) {
+std::uint64_t TileAssembler::keyOf(std::int32_t batch, std::int32_t chain, std::int32_t unit) const {
   const auto bits = [](auto number) { return static_cast<std::uint64_t>(number); };
-  const std::uint64_t kind = bits(batch) << 1 | bits(owned ? 0 : 1);
-  return (kind << kLastBits | bits(last)) << kUnitBits | bits(unit);
+  const Held& held = held_[at(chain)];
+  const bool owned = plan_.owners.of[at(chain)] == tile_;
+  const std::uint64_t kind = bits(batch) << 2 | bits(owned ? 0 : 2) | bits(held.rings ? 1 : 0);
+  return (kind << kLastBits | bits(held.last)) << kUnitBits | bits(unit);
 }
 
 std::int32_t TileAssembler::lastOf(std::uint64_t key) {
@@ -80,7 +82,11 @@ std::int32_t TileAssembler::lastOf(std::uint64_t key) {
 }
 
 bool TileAssembler::ownedOf(std::uint64_t key) {
-  return ((key >> (kUnitBits + kLastBits)) & 1) == 0;
+  return ((key >> (kUnitBits + kLastBits)) & 2) == 0;
+}
+
+bool TileAssembler::ringsOf(std::uint64_t key) {
+  return ((key >> (kUnitBits + kLastBits)) & 1) != 0;
 }
 
 TileAssembler::TileAssembler(const TilePlan& plan)
@@ -103,7 +109,7 @@ void TileAssembler::add(std::int32_t tile, TileParts& parts) {
     forSteps(k, [&](std::span<const std::uint64_t> keys) { addStep(k, keys, parts); });
   }
   if (plan_.normals) addFrames(parts);
-  if (plan_.limits) addLimits(std::span(parts.steps).subspan(at(made.firstStep)), parts);
+  if (plan_.limits) addLimits(at(made.firstStep), parts);
   made.stepCount = static_cast<std::int32_t>(parts.steps.size()) - made.firstStep;
   made.pointCount = pointCount_;
   parts.largestTile = std::max(parts.largestTile, pointCount_);
@@ -128,8 +134,7 @@ void TileAssembler::collect() {
       const std::int32_t unit = unitOf(key);
       const std::int32_t chain = level.firstChain + unit;
       const UnitBatch& batch = level.batchOf(unit);
-      key = keyOf(static_cast<std::int32_t>(&batch - level.batches.data()), plan_.owners.of[at(chain)] == tile_,
-                  held_[at(chain)].last, unit);
+      key = keyOf(static_cast<std::int32_t>(&batch - level.batches.data()), chain, unit);
       for (const std::int32_t point : level.sources(batch, unit)) touchPoint(k - 1, point);
     }
     std::ranges::sort(births);
@@ -144,6 +149,7 @@ void TileAssembler::touch(std::int32_t chain, std::int32_t level) {
   }
   held.tile = tile_;
   held.last = level;
+  held.rings = false;
   const std::int32_t k = plan_.units.birth(chain);
   births_[at(k - plan_.units.root() - 1)].push_back(
       static_cast<std::uint64_t>(chain - plan_.units.level(k).firstChain));
@@ -222,8 +228,10 @@ TilePoint TileAssembler::ownNumber(std::int32_t k, std::int32_t point, const Til
   const Held& held = held_[at(level.pointChain[at(point)])];
   const TileStep& step = parts.steps[at(held.step)];
   const std::int32_t first = parts.stages[at(step.firstStage + k - step.level)].firstPoint;
-  const FacePlaces places = placesOfFace(plan_.places, held.place, step.count, outputsOf(step));
-  return tilePoint(first + places.first + places.step * level.pointPlace[at(point)]);
+  const bool ring = step.rings && k == units.last();
+  const FacePlaces places =
+      ring ? placesOfRing(held.place, step.width) : placesOfFace(plan_.places, held.place, step.count, outputsOf(step));
+  return tilePoint(first + places.first + places.step * (level.pointPlace[at(point)] + (ring ? 1 : 0)));
 }
 
 std::int32_t TileAssembler::weightOf(std::int32_t k, const UnitBatch& batch) const {
@@ -251,7 +259,9 @@ void TileAssembler::addStages(std::int32_t k, const UnitBatch& batch, std::span<
       // Fours begin on a cache line.
       if (plan_.places == TilePlaces::fours) pointCount_ = (pointCount_ + kTileFours - 1) / kTileFours * kTileFours;
       stage.firstPoint = pointCount_;
-      pointCount_ += step.count * batch.outputs;
+      step.rings = keepsRings(j) && step.kind == TileStep::Kind::circulant;
+      pointCount_ +=
+          step.rings ? static_cast<std::int32_t>(pointsOfRings(step.count, step.width)) : step.count * batch.outputs;
     }
     if (owned && j <= units.wanted()) addOutputs(j, *here, alive, stage, parts);
     parts.stages.push_back(stage);

@@ -79,6 +79,7 @@ class TileAssembler {
     std::int32_t step = 0;
     std::int32_t place = 0;  // among the chains of the step
     std::int32_t last = 0;   // level
+    bool rings = false;      // its vertices' exact normals are found round it: TileRings
   };
   struct Import {
     std::int32_t tile = -1;
@@ -94,20 +95,22 @@ class TileAssembler {
   void addNormalFaces(const UnitBatch& batch, std::span<const std::int32_t> units, TileParts& parts) const;
   void addFrames(TileParts& parts) const;
   void collectLimits();
-  void addLimits(std::span<const TileStep> steps, TileParts& parts) const;
+  bool isRing(std::int32_t chain, const UnitBatch& batch, std::int32_t unit) const;
+  void addLimits(std::size_t firstStep, TileParts& parts) const;
   void addLimitsOf(const TileStep& step, TileParts& parts) const;
-  /// Calls visit(point) for the tile's own points of the wanted level.
+  void addRings(std::size_t number, std::int32_t chain, TileParts& parts) const;
+  bool keepsRings(std::int32_t k) const {
+    return plan_.limits && plan_.places == TilePlaces::fours && k == plan_.units.last();
+  }
+  /// Calls visit(chain, batch, unit) for what makes the tile's own points of the wanted level.
   template <class Visit>
-  void forOwnedPoints(const Visit& visit) const {
+  void forOwnedUnits(const Visit& visit) const {
     const TileUnits& units = plan_.units;
     const LevelUnits& wanted = units.level(units.wanted());
     for (std::int32_t k = units.root() + 1; k <= units.wanted(); ++k) {
       for (const std::int32_t chain : plan_.owned(k, tile_)) {
         const std::int32_t unit = units.unitAt(chain, units.wanted());
-        if (unit < 0) continue;
-        const UnitBatch& batch = wanted.batchOf(unit);
-        const std::int32_t first = wanted.firstOutput(batch, unit);
-        for (std::int32_t point = first; point < first + batch.outputs; ++point) visit(point);
+        if (unit >= 0) visit(chain, wanted.batchOf(unit), unit);
       }
     }
   }
@@ -120,8 +123,9 @@ class TileAssembler {
   void touchPoint(std::int32_t k, std::int32_t point);
   void import(std::int32_t point);
   void addImports(TileParts& parts);
-  /// Chains of one step, those of one batch, ownership and last level, have equal keys but for the unit:
-  ///     | batch | not owned 1 | last 7 | unit 32 |
+  /// Chains of one step, those of one batch, ownership, kind of exact normals and last level, have equal keys but for
+  /// the unit:
+  ///     | batch | not owned 1 | rings 1 | last 7 | unit 32 |
   static constexpr int kUnitBits = 32;
   /// Calls visit(keys of the chains of a step) for the steps of level k, in their order.
   template <class Visit>
@@ -134,7 +138,7 @@ class TileAssembler {
       begin = end;
     }
   }
-  static std::uint64_t keyOf(std::int32_t batch, bool owned, std::int32_t last, std::int32_t unit);
+  std::uint64_t keyOf(std::int32_t batch, std::int32_t chain, std::int32_t unit) const;
   static std::int32_t lastOf(std::uint64_t key);
   static bool ownedOf(std::uint64_t key);
   static std::int32_t unitOf(std::uint64_t key) { return static_cast<std::int32_t>(key & 0xffffffffu); }
@@ -146,6 +150,7 @@ class TileAssembler {
   void addIndices(std::int32_t k, const UnitBatch& batch, std::span<const std::uint64_t> keys, const TileParts& parts,
                   std::vector<TilePoint>& indices) const;
   TilePoint ownNumber(std::int32_t k, std::int32_t point, const TileParts& parts) const;
+  static bool ringsOf(std::uint64_t key);
   std::int32_t weightOf(std::int32_t k, const UnitBatch& batch) const;
 
   const TilePlan& plan_;

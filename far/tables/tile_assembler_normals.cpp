@@ -14,8 +14,12 @@ constexpr std::int32_t kUnnumbered = -1;
 /// The normals that the tile's own points of the last level take, and the corners these are found from.
 void TileAssembler::collectNormals() {
   normals_.clear();
-  forOwnedPoints([&](std::int32_t point) {
-    plan_.normals->rule().visit(point, [&](std::int32_t normal) { touchNormal(normal); });
+  const LevelUnits& wanted = plan_.units.level(plan_.units.wanted());
+  forOwnedUnits([&](std::int32_t, const UnitBatch& batch, std::int32_t unit) {
+    const std::int32_t first = wanted.firstOutput(batch, unit);
+    for (std::int32_t point = first; point < first + batch.outputs; ++point) {
+      plan_.normals->rule().visit(point, [&](std::int32_t normal) { touchNormal(normal); });
+    }
   });
 }
 

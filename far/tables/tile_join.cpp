@@ -33,6 +33,9 @@ struct Joined {
     limitRanges,
     vertexFrames,
     vertexIndices,
+    ringRanges,
+    rings,
+    windows,
     count
   };
 };
@@ -58,6 +61,9 @@ void forArrays(TileParts& part, TileTable& table, const Visit& visit) {
   visit(Joined::limitRanges, part.limits.tiles, table.limits.tiles);
   visit(Joined::vertexFrames, part.limits.frames, table.limits.frames);
   visit(Joined::vertexIndices, part.limits.indices, table.limits.indices);
+  visit(Joined::ringRanges, part.limits.ringTiles, table.limits.ringTiles);
+  visit(Joined::rings, part.limits.rings, table.limits.rings);
+  visit(Joined::windows, part.limits.windows, table.limits.windows);
 }
 
 /// Entries of each array before a part.
@@ -101,7 +107,12 @@ class PlaceShift {
   }
 
   void move(TileLimits& part) const {
-    for (TileLimits::Range& range : part.tiles) add(range.firstFrames, Joined::vertexFrames);
+    for (TileLimits::Range& range : part.tiles) add(range.first, Joined::vertexFrames);
+    for (TileLimits::Range& range : part.ringTiles) add(range.first, Joined::rings);
+    for (TileRings& rings : part.rings) {
+      add(rings.step, Joined::steps);
+      add(rings.firstIndex, Joined::windows);
+    }
     for (TileVertexFrames& frames : part.frames) {
       add(frames.firstIndex, Joined::vertexIndices);
       add(frames.firstOutput, outputs_);

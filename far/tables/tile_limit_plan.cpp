@@ -22,6 +22,10 @@ TileLimitPlan::TileLimitPlan(const LimitTable& limits, const TileUnits& units,
       for (std::int32_t g = 0; g < frames.count; ++g) shared_[at(rows->elements[at(frames.firstElement + g)])] = 1;
     }
     first += std::ssize(rows->elements);
+    for (const FrameBatch& frames : rows->batches) {
+      const auto spans = std::span(rows->weights).subspan(at(frames.firstWeight + frames.sides));
+      hexagons_.push_back(frames.sides == 6 && std::equal(kHexagonSpan.begin(), kHexagonSpan.end(), spans.begin()));
+    }
   }
   for (const std::int32_t unit : large[at(wanted_ - root_ - 1)]) {
     const UnitBatch& faces = wanted.batchOf(unit);

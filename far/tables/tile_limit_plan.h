@@ -36,6 +36,8 @@ class TileLimitPlan {
   /// Points and weights (in TileLimits::weights) of a shape; zero of kNoVertex.
   std::int32_t sidesOf(std::int32_t shape) const;
   std::int32_t firstWeight(std::int32_t shape) const;
+  /// Are the weights of a shape kHexagonSpan?
+  bool isHexagon(std::int32_t shape) const { return shape >= 0 && hexagons_[static_cast<std::size_t>(shape)] != 0; }
   /// Weights and shared rows, for the finished table.
   void moveTo(TileLimits& limits) &&;
 
@@ -49,8 +51,9 @@ class TileLimitPlan {
   std::int32_t root_;
   std::int32_t wanted_;
   std::int32_t last_;
-  std::vector<std::int32_t> rows_;    // per point: among the elements of `vertices`, then those of `verticesHere`; -1
-  std::vector<std::uint8_t> shared_;  // per point
+  std::vector<std::int32_t> rows_;      // per point: among the elements of `vertices`, then those of `verticesHere`; -1
+  std::vector<std::uint8_t> shared_;    // per point
+  std::vector<std::uint8_t> hexagons_;  // per shape
   LimitRows sharedRows_;
 };
 

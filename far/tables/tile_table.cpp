@@ -189,7 +189,8 @@ std::int64_t TileTable::byteCount() const {
 }
 
 std::int64_t TileLimits::byteCount() const {
-  return bytes(tiles) + bytes(frames) + bytes(indices) + bytes(weights) + bytes(weightsSingle) + shared.byteCount();
+  return bytes(tiles) + bytes(frames) + bytes(indices) + bytes(ringTiles) + bytes(rings) + bytes(windows) +
+         bytes(weights) + bytes(weightsSingle) + shared.byteCount();
 }
 
 std::int64_t TileNormals::byteCount() const {

@@ -26,6 +26,9 @@ enum class TileNormalKind : std::uint8_t {
 /// How the points of a step's faces stand in a tile, faces a b c .. of n points:
 ///     faces    a0 a1 .. an  b0 b1 .. bn  c0 ..
 ///     fours    a0 b0 c0 d0  a1 b1 c1 d1  ..  an bn cn dn  e0 f0 ..; up to three faces left over one after the other
+/// Where exact normals are found round faces (TileRings), the level behind the last keeps rings: points of a face in
+/// fours, the last one in front once more, and room for four faces where fewer are left over
+///     rings    an bn cn dn  a0 b0 c0 d0  ..  an bn cn dn  en fn -- --  e0 f0 -- --  ..  en fn -- --
 enum class TilePlaces : std::uint8_t {
   faces,
   fours  ///< four faces' points are a cache line, which vectors write as they come: what TileEvaluator is fastest with
@@ -47,6 +50,15 @@ constexpr FacePlaces placesOfFace(TilePlaces places, std::int32_t face, std::int
   if (face >= facesInFours(places, count)) return {face * sides, 1};
   const std::int32_t among = face % kTileFours;
   return {(face - among) * sides + among, kTileFours};
+}
+/// Of the ring of face `face`, the last point in front.
+constexpr FacePlaces placesOfRing(std::int32_t face, std::int32_t sides) {
+  const std::int32_t among = face % kTileFours;
+  return {(face - among) * (sides + 1) + among, kTileFours};
+}
+/// Points of the rings of `count` faces, room for faces left over included.
+constexpr std::int64_t pointsOfRings(std::int64_t count, std::int32_t sides) {
+  return (count + kTileFours - 1) / kTileFours * kTileFours * (sides + 1);
 }
 
 /// What tiles are to give, and how large they are.
@@ -95,6 +107,7 @@ struct TileStep {
   std::uint8_t level = 0;                      ///< the level of birth; stage s belongs to level + s
   std::uint8_t stageCount = 1;                 ///< 1 for rows
   bool sameWeights = true;                     ///< of all stages
+  bool rings = false;                          ///< its stage behind the last level keeps rings (TilePlaces)
   std::int32_t width = 0;                      ///< sides, or entries a dense row
   std::int32_t count = 0;                      ///< faces or rows
   std::int32_t firstIndex = 0;
@@ -207,17 +220,32 @@ struct TileVertexFrames {
   std::int32_t firstOutput = 0;  ///< where they go, as TileStage::firstOutput
 };
 
+/// Faces that are a tile's own and whose vertices of the last level have exact normals of one shape: vertex i of a face
+/// becomes a hexagon between the face itself, the neighbour across the edge before and the one across the edge behind,
+/// two points of each. So that a face's points of the level behind are found in passing, and of each neighbour three
+/// points in a row are read, which serve both vertices of the edge:
+///     hexagon i   own i, own i - 1, second and first of neighbour i, third and second of neighbour i + 1
+/// Its normal is A x B of Far::kHexagonSpan.
+struct TileRings {
+  std::int32_t step = 0;         ///< in TileTable::steps: the faces, whose points of the last level the tile keeps
+  std::int32_t firstWeight = 0;  ///< in TileTable::weights: their form at the level behind
+  std::int32_t firstIndex = 0;   ///< in TileLimits::windows, count x sides: the first of the neighbour's three points
+};
+
 /// What the exact normals of the last level are made of: LimitTable, tile by tile. The tiles then make the points of
 /// the level behind the last one, too.
 struct TileLimits {
-  /// A tile's frames.
+  /// A tile's frames, or its rings.
   struct Range {
-    std::int32_t firstFrames = 0;
-    std::int32_t framesCount = 0;
+    std::int32_t first = 0;
+    std::int32_t count = 0;
   };
-  Array<Range> tiles;  ///< one a tile
+  Array<Range> tiles;  ///< one a tile: its frames
   Array<TileVertexFrames> frames;
   Array<TilePoint> indices;
+  Array<Range> ringTiles;  ///< one a tile: its rings
+  Array<TileRings> rings;
+  Array<TilePoint> windows;
   Array<double> weights;
   Array<float> weightsSingle;
   /// Of points that no tile writes, and of vertices that read too many for a tile; elements: where they go. They read

@@ -136,6 +136,61 @@ HWY_INLINE void circulantAnySides(D d, const float* form, const hn::Vec<D>* p, h
   sides % 2 == 0 ? circulantEvenOdd<0>(weights, p, out, sides) : circulantDirect<0>(weights, p, out, sides);
 }
 
+/// A form and a number of sides known to the compiler; of N = 0 none is.
+template <Far::CirculantForm kWhich, int N>
+struct KnownForm {
+  static constexpr Far::CirculantForm kForm = kWhich;
+  static constexpr int kSides = N;
+};
+
+/// Calls body(KnownForm) for faces of `sides` sides and this form.
+template <class Body>
+HWY_INLINE void forForms(Far::CirculantForm form, std::int32_t sides, const Body& body) {
+  using Far::CirculantForm;
+  switch (form) {
+    case CirculantForm::quad:
+      return body(KnownForm<CirculantForm::quad, 4>{});
+    case CirculantForm::hexagon:
+      return body(KnownForm<CirculantForm::hexagon, 6>{});
+    default:
+      break;
+  }
+#ifndef HONEYCOMB_NARROW_SIMD
+  // The form follows from the number of sides.
+  switch (sides) {
+    case 3:
+      return body(KnownForm<CirculantForm::direct, 3>{});
+    case 4:
+      return body(KnownForm<CirculantForm::evenOdd, 4>{});
+    case 5:
+      return body(KnownForm<CirculantForm::direct, 5>{});
+    case 6:
+      return body(KnownForm<CirculantForm::evenOdd, 6>{});
+    case 7:
+      return body(KnownForm<CirculantForm::direct, 7>{});
+    case 8:
+      return body(KnownForm<CirculantForm::evenOdd, 8>{});
+    default:
+      break;
+  }
+#endif
+  body(KnownForm<CirculantForm::direct, 0>{});
+}
+
+/// A face of any form and number of sides.
+template <class D>
+HWY_INLINE void circulantOfAnyForm(D d, Far::CirculantForm form, const float* weights, const hn::Vec<D>* p,
+                                   hn::Vec<D>* out, int sides) {
+  switch (form) {
+    case Far::CirculantForm::quad:
+      return circulantQuad(WideWeights<D, 2>(d, weights), p, out);
+    case Far::CirculantForm::hexagon:
+      return circulantHexagon(WideWeights<D, 3>(d, weights), p, out);
+    default:
+      return circulantAnySides(d, weights, p, out, sides);
+  }
+}
+
 }  // namespace honeycomb::Osd::Simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -70,10 +70,24 @@ HWY_INLINE void keep(D d, const hn::Vec<D>* out, int n, const StageTarget& stage
   }
 }
 
+/// The same as rings.
+template <class D>
+HWY_INLINE void keepRings(D d, const hn::Vec<D>* out, int n, const StageTarget& stage, std::int32_t face, float* own) {
+  constexpr std::int32_t kStep = kTileStride * Far::kTileFours;
+  float* p = own + std::size_t{kTileStride} * at(stage.kept + Far::placesOfRing(face, n).first);
+  hn::StoreU(out[n - 1], d, p);
+  HWY_UNROLL(8)
+  for (int i = 0; i < n; ++i) hn::StoreU(out[i], d, p + (i + 1) * kStep);
+}
+
 template <bool kFours, class D, class Sink>
 HWY_INLINE void storeStage(D d, const hn::Vec<D>* out, int n, const StageTarget& stage, std::int32_t face, float* own,
                            Sink sink) {
-  if (stage.kept >= 0) keep<kFours>(d, out, n, stage, face, own);
+  if (stage.rings) {
+    keepRings(d, out, n, stage, face, own);
+  } else if (stage.kept >= 0) {
+    keep<kFours>(d, out, n, stage, face, own);
+  }
   if (stage.wanted) sink.put(d, out, n, stage.outputs, face);
 }
 
@@ -123,16 +137,7 @@ void facesOfAnyKind(const StepFaces& faces, Sink sink) {
   for (std::int32_t face = 0; face < faces.step.count; ++face) {
     for (int i = 0; i < n; ++i) p[i] = loadOwn(d, faces.own, faces.index + face * n + i, 1);
     for (std::int32_t s = 0; s < faces.stages; ++s) {
-      switch (faces.step.form) {
-        case CirculantForm::quad:
-          circulantQuad(WideWeights<Block, 2>(d, faces.weights[s]), p, out);
-          break;
-        case CirculantForm::hexagon:
-          circulantHexagon(WideWeights<Block, 3>(d, faces.weights[s]), p, out);
-          break;
-        default:
-          circulantAnySides(d, faces.weights[s], p, out, n);
-      }
+      circulantOfAnyForm(d, faces.step.form, faces.weights[s], p, out, n);
       if (face < faces.targets[s].fours) {
         storeStage<true>(d, out, n, faces.targets[s], face, faces.own, sink);
       } else {
@@ -143,41 +148,17 @@ void facesOfAnyKind(const StepFaces& faces, Sink sink) {
   }
 }
 
-/// Faces whose form follows from their number of sides.
-template <class Sink>
-void facesBySides(const StepFaces& faces, Sink sink) {
-#ifndef HONEYCOMB_NARROW_SIMD
-  switch (faces.step.width) {
-    case 3:
-      return facesOfForm<CirculantForm::direct, 3>(faces, sink);
-    case 4:
-      return facesOfForm<CirculantForm::evenOdd, 4>(faces, sink);
-    case 5:
-      return facesOfForm<CirculantForm::direct, 5>(faces, sink);
-    case 6:
-      return facesOfForm<CirculantForm::evenOdd, 6>(faces, sink);
-    case 7:
-      return facesOfForm<CirculantForm::direct, 7>(faces, sink);
-    case 8:
-      return facesOfForm<CirculantForm::evenOdd, 8>(faces, sink);
-    default:
-      break;
-  }
-#endif
-  facesOfAnyKind(faces, sink);
-}
-
 template <class Sink>
 void facesOf(const StepFaces& faces, Sink sink) {
   if (!faces.step.sameWeights && faces.stages > 1) return facesOfAnyKind(faces, sink);
-  switch (faces.step.form) {
-    case CirculantForm::quad:
-      return facesOfForm<CirculantForm::quad, 4>(faces, sink);
-    case CirculantForm::hexagon:
-      return facesOfForm<CirculantForm::hexagon, 6>(faces, sink);
-    default:
-      return facesBySides(faces, sink);
-  }
+  forForms(faces.step.form, faces.step.width, [&](auto known) HWY_ATTR {
+    using Known = decltype(known);
+    if constexpr (Known::kSides > 0) {
+      facesOfForm<Known::kForm, Known::kSides>(faces, sink);
+    } else {
+      facesOfAnyKind(faces, sink);
+    }
+  });
 }
 
 }  // namespace honeycomb::Osd::Simd::HWY_NAMESPACE

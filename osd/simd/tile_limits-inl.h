@@ -10,6 +10,7 @@
 
 #include <cstdint>
 
+#include "osd/simd/circulant-inl.h"
 #include "osd/simd/points-inl.h"
 #include "osd/simd/sinks-inl.h"
 #include "osd/simd/tile_normals-inl.h"
@@ -75,11 +76,108 @@ void zeroVectors(const VertexFrames& frames, Sink sink) {
   for (std::int32_t i = 0; i < frames.group.count; ++i) sink.put(d, zero, frames.group.each, frames.outputs, i);
 }
 
+/// Three points in a row of the rings of a vector's neighbours.
+template <class D>
+struct Window {
+  hn::Vec<D> first, second, third;
+};
+
+/// Of faces whose windows begin at `window`, `sides` apart.
+template <class D>
+HWY_INLINE Window<D> loadWindow(D d, const float* points, const Far::TilePoint* window, int sides) {
+  constexpr int kStep = Kernels::kTileStride * Far::kTileFours;
+  return {loadOwn(d, points, window, at(sides)), loadOwn(d, points + kStep, window, at(sides)),
+          loadOwn(d, points + 2 * kStep, window, at(sides))};
+}
+
+/// A x B of a vertex's hexagon.
+template <class D>
+HWY_INLINE hn::Vec<D> ringCross(D d, hn::Vec<D> own, hn::Vec<D> before, const Window<D>& left, const Window<D>& right) {
+  const hn::Vec<D> hexagon[6] = {own, before, left.second, left.first, right.third, right.second};
+  return crossOfCorners<6>(d, hexagon);
+}
+
+/// Normals of the vertices of faces whose points of the level behind are `own`, the first of them face `face`.
+template <int N, class D, class Sink>
+HWY_INLINE void ringNormals(D d, const Kernels::RingFaces& faces, const float* points, const hn::Vec<D>* own,
+                            std::int32_t face, Sink sink) {
+  constexpr int kMost = N > 0 ? N : Far::kLargestCirculant;
+  const int n = N > 0 ? N : faces.step.width;
+  const Far::TilePoint* const windows = faces.window + face * n;
+  hn::Vec<D> v[kMost];
+  const Window<D> first = loadWindow(d, points, windows, n);
+  Window<D> left = first;
+  HWY_UNROLL(8)
+  for (int i = 0; i + 1 < n; ++i) {
+    const Window<D> right = loadWindow(d, points, windows + i + 1, n);
+    v[i] = ringCross(d, own[i], own[i == 0 ? n - 1 : i - 1], left, right);
+    left = right;
+  }
+  v[n - 1] = ringCross(d, own[n - 1], own[n - 2], left, first);
+  makeAllUnit(d, v, n);
+  sink.put(d, v, n, faces.outputs, face);
+}
+
+/// Faces `face`, face + K, .. as long as there are K more before `end`, in fours or one after the other. Returns the
+/// first that is left.
+template <class Known, bool kFours, class D, class Sink>
+HWY_INLINE std::int32_t ringsOfForm(D d, const Kernels::RingFaces& faces, const float* weights, const float* points,
+                                    std::int32_t face, std::int32_t end, Sink sink) {
+  constexpr int N = Known::kSides;
+  static_assert(kFours || kBlocks<D> == 1);
+  const Circulant<Known::kForm, N, D> form(d, weights);
+  const float* const corners = points + std::int64_t{Kernels::kTileStride} * faces.kept;
+  for (; face + kBlocks<D> <= end; face += kBlocks<D>) {
+    const Far::FacePlaces places = Far::placesOfFace(Far::TilePlaces::fours, face, kFours ? end : 0, N);
+    constexpr int kStep = Kernels::kTileStride * (kFours ? Far::kTileFours : 1);
+    hn::Vec<D> p[N], own[N];
+    HWY_UNROLL(8)
+    for (int i = 0; i < N; ++i) p[i] = hn::LoadU(d, corners + Kernels::kTileStride * places.first + i * kStep);
+    form(p, own);
+    ringNormals<N>(d, faces, points, own, face, sink);
+  }
+  return face;
+}
+
+/// Faces of any number of sides, one at a time.
+template <class Sink>
+void ringsOfAnyForm(const Kernels::RingFaces& faces, const float* weights, const float* points, Sink sink) {
+  const Block d;
+  const int n = faces.step.width;
+  for (std::int32_t face = 0; face < faces.step.count; ++face) {
+    const Far::FacePlaces places = Far::placesOfFace(Far::TilePlaces::fours, face, faces.step.count, n);
+    BlockVector p[Far::kLargestCirculant], own[Far::kLargestCirculant];
+    for (int i = 0; i < n; ++i) {
+      p[i] = hn::Load(d, points + std::int64_t{Kernels::kTileStride} * (faces.kept + places.first + i * places.step));
+    }
+    circulantOfAnyForm(d, faces.step.form, weights, p, own, n);
+    ringNormals<0>(d, faces, points, own, face, sink);
+  }
+}
+
+template <class Sink>
+void ringNormalsOf(const Far::TileTable& table, const Far::TileRings& rings, const float* points, Sink sink) {
+  const Kernels::RingFaces faces = Kernels::ringFaces(table, rings);
+  const float* const weights = table.weightsSingle.data() + rings.firstWeight;
+  forForms(faces.step.form, faces.step.width, [&](auto known) HWY_ATTR {
+    using Known = decltype(known);
+    if constexpr (Known::kSides > 0) {
+      using Wide = HWY_CAPPED(float, 16);
+      const std::int32_t count = faces.step.count;
+      const std::int32_t fours = Far::facesInFours(table.places, count);
+      ringsOfForm<Known, true>(Wide(), faces, weights, points, 0, fours, sink);
+      ringsOfForm<Known, false>(Block(), faces, weights, points, fours, count, sink);
+    } else {
+      ringsOfAnyForm(faces, weights, points, sink);
+    }
+  });
+}
+
 template <class Sink>
 void limitNormals(const Far::TileTable& table, std::int32_t tile, const float* points, Sink sink) {
   const Far::TileLimits& limits = table.limits;
   const Far::TileLimits::Range& range = limits.tiles[at(tile)];
-  for (std::int32_t b = range.firstFrames; b < range.firstFrames + range.framesCount; ++b) {
+  for (std::int32_t b = range.first; b < range.first + range.count; ++b) {
     const Far::TileVertexFrames& group = limits.frames[at(b)];
     const VertexFrames frames{group, points, limits.weightsSingle.data() + group.firstWeight,
                               limits.indices.data() + group.firstIndex, Kernels::outputsFrom(table, group.firstOutput)};
@@ -91,6 +189,10 @@ void limitNormals(const Far::TileTable& table, std::int32_t tile, const float* p
       forCommonSides(group.each,
                      [&](auto each) HWY_ATTR { groupOfFrames<Differences, 6, decltype(each)::value>(frames, sink); });
     }
+  }
+  const Far::TileLimits::Range& rings = limits.ringTiles[at(tile)];
+  for (const Far::TileRings& some : std::span(limits.rings).subspan(at(rings.first), at(rings.count))) {
+    ringNormalsOf(table, some, points, sink);
   }
 }
 

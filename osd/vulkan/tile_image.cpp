@@ -85,13 +85,17 @@ void TileImageBuilder::numberPoints(const Far::Tile& tile) {
   if (table_.places == Far::TilePlaces::faces) return;
   for (const TileStep& step : std::span(table_.steps).subspan(at(tile.firstStep), at(tile.stepCount))) {
     if (step.kind != TileStep::Kind::circulant) continue;
-    for (const Far::TileStage& stage : std::span(table_.stages).subspan(at(step.firstStage), step.stageCount)) {
+    for (std::int32_t s = 0; s < step.stageCount; ++s) {
+      const Far::TileStage& stage = table_.stages[at(step.firstStage + s)];
       if (stage.firstPoint < 0) continue;
+      const bool rings = step.rings && step.level + s > table_.lastLevel;
       auto number = static_cast<TileWord>(stage.firstPoint);
       for (std::int32_t face = 0; face < step.count; ++face) {
-        const Far::FacePlaces places = Far::placesOfFace(table_.places, face, step.count, step.width);
-        const std::int32_t first = stage.firstPoint + places.first;
+        const Far::FacePlaces places = rings ? Far::placesOfRing(face, step.width)
+                                             : Far::placesOfFace(table_.places, face, step.count, step.width);
+        const std::int32_t first = stage.firstPoint + places.first + (rings ? places.step : 0);
         for (std::int32_t i = 0; i < step.width; ++i) numbers_[at(first + i * places.step)] = number++;
+        if (rings) numbers_[at(first - places.step)] = number - 1;
       }
     }
   }

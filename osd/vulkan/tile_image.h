@@ -10,6 +10,7 @@
 #include "far/base/result.h"
 #include "far/tables/tile_table.h"
 #include "osd/tile_kernels.h"
+#include "osd/tile_normal_kernels.h"
 #include "osd/vulkan/tile_cases.h"
 
 namespace honeycomb::Osd {
@@ -95,7 +96,11 @@ class TileImageBuilder {
   void addSummedNormals(const Far::TileStep& step, const Far::TilePoint* faces);
   void addSums(std::span<const NormalSum> sums, std::span<const TileWord> normals);
   void addExactNormals(std::int32_t number);
+  void addRings(const Far::Tile& tile, std::span<const Far::TileRings> rings);
+  void addRingFaces(const Kernels::RingFaces& faces, TileWord place);
+  void addRingNormals(const Kernels::RingFaces& faces, TileWord place);
   TileWord tangentWeights(std::span<const float> weights, std::int32_t first, std::int32_t sides);
+  TileWord hexagonWeights();
   Result<void> addSharedNormals();
   void addSharedNormals(std::span<const NormalSum> sums, std::int32_t end);
 

@@ -16,6 +16,9 @@ constexpr std::int32_t kSharedAtOnce = 256;
 
 constexpr std::uint32_t kHexagon = 6;
 
+/// In TileImageBuilder::tangentWeights_, where there are no weights of the table.
+constexpr std::int32_t kNoneKey = -1, kHexagonKey = -2;
+
 }  // namespace
 
 // First the normals of the faces, behind the tile's points, then those of its vertices.
@@ -120,11 +123,10 @@ void TileImageBuilder::addExactNormals(std::int32_t number) {
   const Far::TileLimits& limits = table_.limits;
   const Far::TileLimits::Range& range = limits.tiles[at(number)];
   const std::size_t begin = steps_.size();
-  for (const Far::TileVertexFrames& frames :
-       std::span(limits.frames).subspan(at(range.firstFrames), at(range.framesCount))) {
+  for (const Far::TileVertexFrames& frames : std::span(limits.frames).subspan(at(range.first), at(range.count))) {
     const auto sides = static_cast<TileWord>(std::max(frames.sides, 1));
     const TileWord weights = frames.sides > 0 ? tangentWeights(limits.weightsSingle, frames.firstWeight, frames.sides)
-                                              : tangentWeights({}, -1, 1);
+                                              : tangentWeights({}, kNoneKey, 1);
     const Kernels::Outputs outputs = Kernels::outputsFrom(table_, frames.firstOutput);
     const TileWord first = texels();
     const Far::TilePoint* index = limits.indices.data() + frames.firstIndex;
@@ -140,6 +142,69 @@ void TileImageBuilder::addExactNormals(std::int32_t number) {
              sides);
   }
   if (begin < steps_.size()) steps_[begin + 6] = 1;
+  const Far::TileLimits::Range& rings = limits.ringTiles[at(number)];
+  addRings(table_.tiles[at(number)], std::span(limits.rings).subspan(at(rings.first), at(rings.count)));
+}
+
+// The faces' points of the level behind are kept behind all others, face after face, then each vertex reads its six.
+void TileImageBuilder::addRings(const Far::Tile& tile, std::span<const Far::TileRings> rings) {
+  auto place = static_cast<TileWord>(tile.pointCount);
+  const std::size_t faces = steps_.size();
+  std::vector<TileWord> places;
+  for (const Far::TileRings& some : rings) {
+    const Kernels::RingFaces ring = Kernels::ringFaces(table_, some);
+    places.push_back(place);
+    addRingFaces(ring, place);
+    place += static_cast<TileWord>(ring.step.count * ring.step.width);
+  }
+  if (faces < steps_.size()) steps_[faces + 6] = 1;
+  const std::size_t vertices = steps_.size();
+  for (std::size_t i = 0; i < rings.size(); ++i) addRingNormals(Kernels::ringFaces(table_, rings[i]), places[i]);
+  if (vertices < steps_.size()) steps_[vertices + 6] = 1;
+  largest_ = std::max(largest_, place);
+}
+
+void TileImageBuilder::addRingFaces(const Kernels::RingFaces& faces, TileWord place) {
+  const TileStep& step = faces.step;
+  const TileWord record = texels();
+  std::vector<TileWord> corners(at(step.width));
+  for (std::int32_t g = 0; g < step.count; ++g) {
+    const Far::FacePlaces places = Far::placesOfFace(table_.places, g, step.count, step.width);
+    for (std::int32_t i = 0; i < step.width; ++i) {
+      corners[at(i)] = numbers_[at(faces.kept + places.first + i * places.step)];
+    }
+    pushHalves(corners);
+    image_.words.push_back(0);
+    fillTexel();
+  }
+  const TileWord weight = weights(faces.firstWeight, Far::formWeightCount(step.form, step.width));
+  const TileWord stage = texels();
+  image_.words.insert(image_.words.end(), {place, weight, 0, 0});
+  pushStep({caseOf(step, TileStages::kept), static_cast<TileWord>(step.count), record,
+            static_cast<TileWord>(step.width), stage, 1, 0, 0},
+           innerTurns(step, 1));
+}
+
+void TileImageBuilder::addRingNormals(const Kernels::RingFaces& faces, TileWord place) {
+  const std::int32_t n = faces.step.width;
+  const TileWord weights = hexagonWeights();
+  const TileWord first = texels();
+  for (std::int32_t i = 0; i < faces.step.count * n; ++i) {
+    const std::int32_t corner = i % n;
+    const std::int32_t face = i - corner;
+    const auto own = [&](std::int32_t k) { return place + static_cast<TileWord>(face + (k + n) % n); };
+    const auto across = [&](std::int32_t k, std::int32_t j) {
+      return numbers_[at(faces.window[face + k % n] / 2 + j * Far::kTileFours)];
+    };
+    const TileWord hexagon[kHexagon] = {own(corner),       own(corner - 1),       across(corner, 1),
+                                        across(corner, 0), across(corner + 1, 2), across(corner + 1, 1)};
+    pushHalves(hexagon);
+    image_.words.push_back(static_cast<TileWord>(faces.outputs.of(face / n, n) + corner));
+    fillTexel();
+  }
+  pushStep({caseAfter(TileCase::vertexNormals, 0), static_cast<TileWord>(faces.step.count * n), first, kHexagon,
+            weights, 0, 0, 1},
+           kHexagon);
 }
 
 // The weights of both tangents, point by point; zeros where there are none. `first` is the place in `weights` of
@@ -151,6 +216,19 @@ TileWord TileImageBuilder::tangentWeights(std::span<const float> weights, std::i
     for (const std::int32_t row : {1, 2}) {
       const float weight = weights.empty() ? 0.0F : weights[at(first + row * sides + j)];
       image_.words.push_back(std::bit_cast<TileWord>(weight));
+    }
+  }
+  fillTexel();
+  return place->second;
+}
+
+// Those of kHexagonSpan.
+TileWord TileImageBuilder::hexagonWeights() {
+  const auto [place, isNew] = tangentWeights_.try_emplace(kHexagonKey, texels());
+  if (!isNew) return place->second;
+  for (std::size_t j = 0; j < kHexagon; ++j) {
+    for (const std::size_t row : {j, j + kHexagon}) {
+      image_.words.push_back(std::bit_cast<TileWord>(static_cast<float>(Far::kHexagonSpan[row])));
     }
   }
   fillTexel();

@@ -30,6 +30,9 @@ Far::TileParts tilePart() {
   part.limits.tiles.resize(1, {});
   part.limits.frames.resize(1, {});
   part.limits.indices = {6, 7, 8, 9};
+  part.limits.ringTiles.resize(1, {});
+  part.limits.rings.resize(1, {});
+  part.limits.windows = {1, 2, 3};
   return part;
 }
 
@@ -58,9 +61,12 @@ TEST(TileJoin, MovesPlacesOnByWhatStandsBefore) {
   EXPECT_EQ(table.normals.firstFace, (Array<std::int32_t>{-1, 1, -1, 4}));
   EXPECT_EQ(table.normals.born[1].firstNormal, 5) << "numbers of a tile stay";
   EXPECT_EQ(table.normals.born[1].firstWeight, 6);
-  EXPECT_EQ(table.limits.tiles[1].firstFrames, 1);
+  EXPECT_EQ(table.limits.tiles[1].first, 1);
   EXPECT_EQ(table.limits.frames[1].firstIndex, 4);
   EXPECT_EQ(table.limits.frames[1].firstOutput, 3);
+  EXPECT_EQ(table.limits.ringTiles[1].first, 1);
+  EXPECT_EQ(table.limits.rings[1].step, 1);
+  EXPECT_EQ(table.limits.rings[1].firstIndex, 3);
 }
 
 TEST(TileJoin, CountsOutputsAsTheyAreWrittenInTheOrderOfTiles) {

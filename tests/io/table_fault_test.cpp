@@ -32,6 +32,19 @@ const Bytes& smallTable(Far::TileNormalKind normals) {
 const Bytes& smallTable() {
   return smallTable(Far::TileNormalKind::exact);
 }
+/// With exact normals that are found going round faces.
+const Bytes& ringTable() {
+  static const Bytes bytes = [] {
+    const Far::Refinement refinement =
+        honeycomb::Test::refined(honeycomb::Test::torus(3, 3),
+                                 honeycomb::Test::schemeCase(honeycomb::Test::NamedTension::paper).scheme, 2, {}, true);
+    const Far::TileTable tiles = must(Far::buildTileTable(
+        refinement, {.scratchPoints = 512, .normals = Far::TileNormalKind::exact, .places = Far::TilePlaces::fours}));
+    EXPECT_FALSE(tiles.limits.rings.empty());
+    return tableBytes(refinement, &tiles);
+  }();
+  return bytes;
+}
 
 std::string messageOf(const Bytes& bytes) {
   const Result<void> used = useAll(bytes);
@@ -50,6 +63,7 @@ std::size_t placeOf(const Bytes& bytes, std::string_view name) {
 TEST(TableFaults, AreNoneInASoundFile) {
   EXPECT_EQ(messageOf(smallTable()), "");
   EXPECT_EQ(messageOf(smallTable(Far::TileNormalKind::fast)), "");
+  EXPECT_EQ(messageOf(ringTable()), "");
 }
 
 TEST(TableFaults, EveryByteOfHeaderAndDirectoryIsGuarded) {
@@ -103,8 +117,8 @@ TEST(TableFaults, AFlippedByteIsFoundByItsSectionsChecksum) {
 TEST(TableFaults, NoNumberLeadsOutOfTheFile) {
   constexpr std::array<std::int32_t, 3> kElsewhere = {-1, 1 << 20, std::numeric_limits<std::int32_t>::max()};
   std::int64_t refused = 0;
-  for (const auto normals : {Far::TileNormalKind::fast, Far::TileNormalKind::exact}) {
-    const Bytes& sound = smallTable(normals);
+  for (const Bytes* table : {&smallTable(Far::TileNormalKind::fast), &smallTable(), &ringTable()}) {
+    const Bytes& sound = *table;
     for (std::size_t i = 0; i < headerOf(sound).sectionCount; ++i) {
       const TableEntry entry = entryOf(sound, i);
       if (sectionName(entry).find("eights") != std::string::npos) continue;
@@ -135,6 +149,17 @@ TEST(TableFaults, ATileReadsNoPointThatItHasnt) {
   const Far::TilePoint odd = 3;
   std::memcpy(bytes.data() + placeOf(bytes, "tileIndices"), &odd, sizeof(odd));
   EXPECT_THAT(messageOf(bytes), HasSubstr("tiles: tile 0: a step reads a point that the tile hasn't"));
+}
+
+TEST(TableFaults, ARingReadsNoPointThatItsTileHasnt) {
+  Bytes bytes = ringTable();
+  const Far::TilePoint far = 65534;
+  std::memcpy(bytes.data() + placeOf(bytes, "exactWindows"), &far, sizeof(far));
+  EXPECT_THAT(messageOf(bytes), HasSubstr("tiles: tile 0: a normal is of points that the tile hasn't"));
+  bytes = ringTable();
+  const std::int32_t elsewhere = 1'000'000;
+  std::memcpy(bytes.data() + placeOf(bytes, "exactRings"), &elsewhere, sizeof(elsewhere));
+  EXPECT_THAT(messageOf(bytes), HasSubstr("a normal is of a step that isn't there"));
 }
 
 TEST(TableFaults, TilesShareNoSteps) {

@@ -116,6 +116,22 @@ TEST(TableFile, MayHaveFramesOfAllNormals) {
   }
 }
 
+TEST(TableFile, MayHaveExactNormalsWithoutRings) {
+  const Far::Refinement refinement = tableRefinement(honeycomb::Test::torus(9, 6), 3, true);
+  const Far::TileTable tiles =
+      must(Far::buildTileTable(refinement, {.normals = Far::TileNormalKind::exact, .places = Far::TilePlaces::fours}));
+  ASSERT_FALSE(tiles.limits.rings.empty());
+  Far::TileTable before = must(Far::buildTileTable(refinement, {.normals = Far::TileNormalKind::exact}));
+  ASSERT_TRUE(before.limits.rings.empty());
+  before.limits.ringTiles = {};
+  const TableFile file = must(readTable(tableBytes(refinement, &before)));
+  must(file.check());
+  for (const Instructions instructions : {Instructions::plain, Instructions::vectors}) {
+    EXPECT_EQ(pointsByTiles(must(file.levels()), *must(file.tiles()), instructions),
+              pointsByTiles(refinement, tiles, instructions));
+  }
+}
+
 TEST(TableFile, IsUsedWhereItStands) {
   const Far::Refinement refinement = tableRefinement(honeycomb::Test::cube(), 2);
   const TableFile file = must(readTable(tableBytes(refinement)));

@@ -75,6 +75,28 @@ TYPED_TEST(TileLimits, AreThoseOfTheChainUnderEveryScheme) {
   }
 }
 
+Far::TileTable exactTiles(const Far::Refinement& refinement, Far::TilePlaces places) {
+  return must(
+      Far::buildTileTable(refinement, {.scratchPoints = 4000, .normals = TileNormalKind::exact, .places = places}));
+}
+
+TEST(TileLimit, IsFoundGoingRoundFacesWhereTheyAreClosed) {
+  for (const PolyMesh& mesh : {torus(12, 9), cube(), dodecahedron()}) {
+    const Far::Refinement refinement = refined(mesh, schemeCase(NamedTension::paper).scheme, 3, {}, true);
+    const Far::TileTable tiles = exactTiles(refinement, Far::TilePlaces::fours);
+    EXPECT_EQ(std::ssize(tiles.limits.windows), refinement.last().topology.vertexCount());
+    EXPECT_TRUE(tiles.limits.frames.empty());
+    EXPECT_TRUE(exactTiles(refinement, Far::TilePlaces::faces).limits.rings.empty());
+  }
+}
+
+TEST(TileLimit, IsFoundGoingRoundTheFacesThatAreFarFromABoundary) {
+  const Far::Refinement refinement = refined(grid(12, 12), schemeCase(NamedTension::paper).scheme, 3, {}, true);
+  const Far::TileTable tiles = exactTiles(refinement, Far::TilePlaces::fours);
+  EXPECT_GT(std::ssize(tiles.limits.windows), refinement.last().topology.vertexCount() / 2);
+  EXPECT_FALSE(tiles.limits.frames.empty());
+}
+
 TEST(TileLimit, IsTheSameByEverySetOfInstructions) {
   forEachTarget([] {
     ASSERT_NO_FATAL_FAILURE(
