@@ -227,10 +227,10 @@ Result<void> TableFile::State::proveTileTable() const {
   if (!tiles) return {};
   // A truth value of another byte than 0 and 1 must not even be read.
   const auto steps = std::as_bytes(std::span(tiles->steps));
-  for (const std::size_t flag : {offsetof(Far::TileStep, sameWeights), offsetof(Far::TileStep, rings)}) {
+  for (const std::size_t flag : {offsetof(Far::TileStep, sameWeights), offsetof(Far::TileStep, pairs)}) {
     for (std::size_t i = flag; i < steps.size(); i += sizeof(Far::TileStep)) {
       if (steps[i] > std::byte{1})
-        return unsound(fmt::format("tiles: step {} has no such weights or rings", i / sizeof(Far::TileStep)));
+        return unsound(fmt::format("tiles: step {} has no such weights or pairs", i / sizeof(Far::TileStep)));
     }
   }
   return about("tiles", Far::proveTiles(*tiles, views()));
@@ -362,7 +362,9 @@ bool setRecord(const TileRecord& record, Far::TileTable& tiles) {
   const auto isOneOf = [](std::int32_t value, auto last) {
     return value >= 0 && value <= static_cast<std::int32_t>(last);
   };
+  const auto places = static_cast<Far::TilePlaces>(record.places);
   if (!isOneOf(record.order, Far::TileOrder::tiles) || !isOneOf(record.places, Far::TilePlaces::fours) ||
+      (places != Far::TilePlaces::faces && places != Far::TilePlaces::fours) ||
       !isOneOf(record.normalKind, Far::TileNormalKind::exact) || !isOneOf(record.sharedSets, Far::kMaxLevels + 1) ||
       !isOneOf(record.normalLevels, Far::kMaxLevels))
     return false;
@@ -371,7 +373,7 @@ bool setRecord(const TileRecord& record, Far::TileTable& tiles) {
   tiles.rootPoints = record.rootPoints;
   tiles.largestTile = record.largestTile;
   tiles.order = static_cast<Far::TileOrder>(record.order);
-  tiles.places = static_cast<Far::TilePlaces>(record.places);
+  tiles.places = places;
   tiles.normalKind = static_cast<Far::TileNormalKind>(record.normalKind);
   tiles.shared.resize(at(record.sharedSets));
   tiles.normals.neighbours = record.neighbours;

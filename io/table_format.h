@@ -172,7 +172,7 @@ struct Padding<Far::TileStep> {
 };
 static_assert(sizeof(Far::CirculantBatch) == 28 && offsetof(Far::CirculantBatch, form) == 24);
 static_assert(sizeof(Far::TileStep) == 28 && offsetof(Far::TileStep, sameWeights) == 4 &&
-              offsetof(Far::TileStep, rings) == 5 && offsetof(Far::TileStep, width) == 8);
+              offsetof(Far::TileStep, pairs) == 5 && offsetof(Far::TileStep, width) == 8);
 static_assert(sizeof(Far::ProjectedFace) == 24 && sizeof(Far::DenseRows) == 20 && sizeof(Far::FrameBatch) == 20);
 static_assert(sizeof(Far::Tile) == 20 && sizeof(Far::TileStage) == 12 && sizeof(Far::TileRow) == 8);
 static_assert(sizeof(Far::TileNormalRange) == 20 && sizeof(Far::TileFrames) == 16 && sizeof(Far::TileBorn) == 8);

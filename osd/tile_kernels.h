@@ -63,8 +63,6 @@ inline Outputs outputsFrom(const Far::TileTable& table, std::int32_t first) {
 /// and the tile writes it.
 struct StageTarget {
   std::int32_t kept = -1;  ///< TileStage::firstPoint; -1: not kept
-  std::int32_t fours = 0;  ///< kept as TilePlaces::fours: so many of the faces
-  bool rings = false;      ///< kept as rings
   bool wanted = false;
   Outputs outputs;
 };
@@ -75,8 +73,6 @@ inline StageTarget stageTarget(const Far::TileTable& table, const Far::TileStep&
   const std::int32_t here = step.level + s;
   StageTarget target;
   if (here < level || last > level) target.kept = stage.firstPoint;
-  target.fours = Far::facesInFours(table.places, step.count);
-  target.rings = step.rings && here > table.lastLevel;
   target.wanted = here == level && stage.firstOutput >= 0;
   if (target.wanted) target.outputs = outputsFrom(table, stage.firstOutput);
   return target;
@@ -89,6 +85,11 @@ inline std::int32_t stagesFor(const Far::TileTable& table, const Far::TileStep& 
   const std::int32_t upTo = std::min<std::int32_t>(step.stageCount, last - step.level + 1);
   if (upTo < 1 || last > level || step.level + upTo - 1 < level) return upTo;
   return table.stages[at(step.firstStage + upTo - 1)].firstOutput >= 0 ? upTo : upTo - 1;
+}
+
+/// What the faces of a step are born from.
+inline Far::TileCorners cornersOf(const Far::TileTable& table, const Far::TileStep& step) {
+  return {table.indices.data() + step.firstIndex, step.width, step.pairs};
 }
 
 /// The points of a step's outputs of the last level.
@@ -112,24 +113,26 @@ void tileFaces(const Far::TileTable& table, const Far::TileStep& step, std::int3
   const std::int32_t n = N > 0 ? N : step.width;
   const View<Real> own{views.scratch, kTileStride};
   const View<const Real> read = byTilePoint<Real>(views.scratch);
-  const Far::TilePoint* index = table.indices.data() + step.firstIndex;
-  std::array<Real, at(Width)> p[N > 0 ? N : Far::kLargestCirculant];
-  for (std::int32_t g = 0; g < step.count; ++g, index += n) {
+  constexpr int kMost = N > 0 ? N : Far::kLargestCirculant;
+  const bool fours = table.places == Far::TilePlaces::fours;
+  const Far::TileCorners corners = cornersOf(table, step);
+  Far::TilePoint room[kMost];
+  std::array<Real, at(Width)> p[kMost];
+  for (std::int32_t g = 0; g < step.count; ++g) {
+    const Far::TilePoint* index = corners.of(g, room);
     for (std::int32_t i = 0; i < n; ++i) p[i] = load<Width>(read.point(index[i]));
+    const Far::FacePlaces places = Far::placesOfFace(table.places, g, n);
     for (std::int32_t s = 0; s < stages; ++s) {
       const StageTarget target = stageTarget(table, step, s, views.level, views.last);
       const bool kept = target.kept >= 0;
-      const Far::FacePlaces places =
-          target.rings ? Far::placesOfRing(g, n) : Far::placesOfFace(table.places, g, step.count, n);
-      const std::int32_t first = target.kept + places.first + (target.rings ? places.step : 0);
-      const View<Real> out = kept ? View<Real>{own.point(first), own.stride * places.step}
+      const View<Real> out = kept ? View<Real>{own.point(target.kept + places.first), own.stride * places.step}
                                   : View<Real>{views.target.point(target.outputs.of(g, n)), views.target.stride};
       const Real* weights = table.weightsAs<Real>().data() + table.stages[at(step.firstStage + s)].firstWeight;
       circulantFace<N>(step.form, weights, p, n, out, 0);
-      if (target.rings) store(load<Width>(out.point(n - 1)), own.point(target.kept + places.first));
+      if (kept && fours) store(load<Width>(out.point(n - 1)), out.point(-1));
       if (kept && target.wanted) {
-        const std::int32_t written = target.outputs.of(g, n);
-        for (std::int32_t i = 0; i < n; ++i) store(load<Width>(out.point(i)), views.target.point(written + i));
+        const std::int32_t first = target.outputs.of(g, n);
+        for (std::int32_t i = 0; i < n; ++i) store(load<Width>(out.point(i)), views.target.point(first + i));
       }
       if (s + 1 == stages) break;
       for (std::int32_t i = 0; i < n; ++i) p[i] = load<Width>(out.point(i));

@@ -19,15 +19,17 @@ struct NormalViews {
   Real* stream = nullptr;   ///< as TileViews::stream
 };
 
-/// The normals of `frames`, to `to` and behind it. index: their corners; w: their weights, as FrameBatch has them.
+/// The normals of `frames`, to `to` and behind it. w: their weights, as FrameBatch has them.
 template <class Real>
-void frameNormals(const Far::TileFrames& frames, const Real* w, const Far::TilePoint* index, const Real* points,
+void frameNormals(const Far::TileFrames& frames, const Real* w, const Far::TileCorners& corners, const Real* points,
                   View<Real> to) {
   const std::int32_t n = frames.sides;
-  const View<const Real> corners = byTilePoint(points);
-  for (std::int32_t g = 0; g < frames.count; ++g, index += n) {
-    const auto t1 = blockedSum<3>(w + n, index, n, corners);
-    const auto t2 = blockedSum<3>(w + 2 * std::int64_t{n}, index, n, corners);
+  const View<const Real> own = byTilePoint(points);
+  Far::TilePoint room[Far::kLargestCirculant];
+  for (std::int32_t g = 0; g < frames.count; ++g) {
+    const Far::TilePoint* index = corners.of(g, room);
+    const auto t1 = blockedSum<3>(w + n, index, n, own);
+    const auto t2 = blockedSum<3>(w + 2 * std::int64_t{n}, index, n, own);
     store(unitNormal(t1, t2), to.point(g));
   }
 }
@@ -42,7 +44,7 @@ void forTileFrames(const Far::TileTable& table, std::int32_t number, const Visit
   std::int32_t next = range.importCount;
   for (const Far::TileFrames& frames :
        std::span(normals.frames).subspan(at(range.firstFrames), at(range.framesCount))) {
-    visit(frames, normals.indices.data() + frames.firstIndex, next, -1);
+    visit(frames, Far::TileCorners{normals.indices.data() + frames.firstIndex, frames.sides, false}, next, -1);
     next += frames.count;
   }
   const Far::Tile& tile = table.tiles[at(number)];
@@ -50,8 +52,7 @@ void forTileFrames(const Far::TileTable& table, std::int32_t number, const Visit
     const Far::TileBorn& born = normals.born[at(s)];
     if (born.firstNormal < 0) continue;
     const Far::TileStep& step = table.steps[at(s)];
-    visit(Far::TileFrames{step.width, step.count, 0, born.firstWeight}, table.indices.data() + step.firstIndex,
-          born.firstNormal, s);
+    visit(Far::TileFrames{step.width, step.count, 0, born.firstWeight}, cornersOf(table, step), born.firstNormal, s);
   }
 }
 
@@ -67,8 +68,8 @@ void tileFaceNormals(const Far::TileTable& table, std::int32_t number, const Rea
   }
   const Real* weights = normals.weightsAs<Real>().data();
   forTileFrames(table, number,
-                [&](const Far::TileFrames& frames, const Far::TilePoint* index, std::int32_t first, std::int32_t) {
-                  frameNormals(frames, weights + frames.firstWeight, index, points, {own.point(first), own.stride});
+                [&](const Far::TileFrames& frames, const Far::TileCorners& corners, std::int32_t first, std::int32_t) {
+                  frameNormals(frames, weights + frames.firstWeight, corners, points, {own.point(first), own.stride});
                 });
 }
 
@@ -124,7 +125,7 @@ void ringNormals(const Far::TileTable& table, const RingFaces& faces, const Real
   const Real* weights = table.weightsAs<Real>().data() + faces.firstWeight;
   const Far::TilePoint* window = faces.window;
   for (std::int32_t g = 0; g < faces.step.count; ++g, window += n) {
-    const Far::FacePlaces places = Far::placesOfFace(table.places, g, faces.step.count, n);
+    const Far::FacePlaces places = Far::placesOfFace(table.places, g, n);
     const View<const Real> corners{points + std::int64_t{kTileStride} * (faces.kept + places.first),
                                    std::int64_t{kTileStride} * places.step};
     std::array<Real, 3> p[kMost];

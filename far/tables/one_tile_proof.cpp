@@ -72,10 +72,13 @@ class TileProof {
     if (!rows && !isFormOf(step.form, step.width)) return "a step's faces have no such form";
     if (step.kind == TileStep::Kind::dense && (step.width < 1 || step.width > kWidestDense))
       return "a step's rows have no such width";
-    std::int64_t indices = std::int64_t{step.count} * step.width;
+    if (step.pairs && (rows || step.width % 2 != 0 || table_.places != TilePlaces::fours))
+      return "a step's points are no pairs";
+    std::int64_t indices = std::int64_t{step.count} * (step.pairs ? step.width / 2 : step.width);
     if (step.kind == TileStep::Kind::loose && !entriesOf(step, indices)) return "a step's rows aren't there";
     if (!liesWithin(step.firstIndex, indices, std::ssize(table_.indices))) return "a step's indices aren't there";
-    if (!areTilePoints(std::span(table_.indices).subspan(at(step.firstIndex), at(indices)), points))
+    if (!areTilePoints(std::span(table_.indices).subspan(at(step.firstIndex), at(indices)),
+                       step.pairs ? points - kTileFours : points))
       return "a step reads a point that the tile hasn't";
     for (std::int32_t s = 0; s < step.stageCount; ++s) {
       if (const char* wrong = wrongWithStage(step, s, points)) return wrong;
@@ -104,9 +107,7 @@ class TileProof {
                                                                       : 0;
     if (!hasWeights(stage.firstWeight, weights)) return "a stage's weights aren't there";
     if (stage.firstPoint < -1 || stage.firstOutput < -1) return "a stage has no such place";
-    const bool rings = step.rings && level == table_.lastLevel + 1;
-    if (step.rings && !faces) return "a step's rows are rings";
-    const std::int64_t kept = rings ? pointsOfRings(step.count, each) : std::int64_t{step.count} * each;
+    const std::int64_t kept = faces ? roomOfFaces(table_.places, step.count, each) : step.count;
     if (stage.firstPoint >= 0 && !liesWithin(stage.firstPoint, kept, points))
       return "a stage writes past the tile's points";
     if (stage.firstOutput >= 0 && !areOutputs(stage.firstOutput, step.count, each, level))
@@ -213,7 +214,8 @@ class TileProof {
         return "a normal is of a step without such faces";
       const TileStage& stage = table_.stages[at(step.firstStage + s)];
       if (stage.firstPoint < 0 || stage.firstOutput < 0) return "a normal is of points that are kept nowhere";
-      if (!hasWeights(rings.firstWeight, formWeightCount(step.form, step.width))) return "a ring's weights aren't there";
+      if (!hasWeights(rings.firstWeight, formWeightCount(step.form, step.width)))
+        return "a ring's weights aren't there";
       const std::int64_t windows = std::int64_t{step.count} * step.width;
       if (!liesWithin(rings.firstIndex, windows, std::ssize(limits.windows)) ||
           !areTilePoints(std::span(limits.windows).subspan(at(rings.firstIndex), at(windows)),

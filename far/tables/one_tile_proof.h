@@ -8,9 +8,9 @@
 
 namespace honeycomb::Far {
 
-/// What is wrong with tile `number` of a table whose frame and totals are sound: null, or a few words. Places are checked
-/// before anything is read there. `sharedPoints`: of all sets; `faceEnds`: where the normals of a step's points end at
-/// the latest, one a step; of fast normals.
+/// What is wrong with tile `number` of a table whose frame and totals are sound: null, or a few words. Places are
+/// checked before anything is read there. `sharedPoints`: of all sets; `faceEnds`: where the normals of a step's points
+/// end at the latest, one a step; of fast normals.
 const char* wrongWithTile(const TileTable& table, std::int32_t sharedPoints, std::span<const std::int64_t> faceEnds,
                           std::size_t number);
 

@@ -66,14 +66,19 @@ std::span<const std::int32_t> TilePlan::owned(std::int32_t k, std::int32_t tile)
 namespace {
 
 constexpr int kLastBits = 7;
+constexpr int kKindBits = 3;
+constexpr std::uint64_t kNotOwned = 4, kRings = 2, kPairs = 1;
 
 }  // namespace
 
-std::uint64_t TileAssembler::keyOf(std::int32_t batch, std::int32_t chain, std::int32_t unit) const {
+std::uint64_t TileAssembler::keyOf(std::int32_t k, const UnitBatch& batch, std::int32_t unit) const {
   const auto bits = [](auto number) { return static_cast<std::uint64_t>(number); };
+  const LevelUnits& level = plan_.units.level(k);
+  const std::int32_t chain = level.firstChain + unit;
   const Held& held = held_[at(chain)];
   const bool owned = plan_.owners.of[at(chain)] == tile_;
-  const std::uint64_t kind = bits(batch) << 2 | bits(owned ? 0 : 2) | bits(held.rings ? 1 : 0);
+  const std::uint64_t kind = bits(&batch - level.batches.data()) << kKindBits | (owned ? 0 : kNotOwned) |
+                             (held.rings ? kRings : 0) | (isPaired(k, batch, unit) ? kPairs : 0);
   return (kind << kLastBits | bits(held.last)) << kUnitBits | bits(unit);
 }
 
@@ -82,11 +87,15 @@ std::int32_t TileAssembler::lastOf(std::uint64_t key) {
 }
 
 bool TileAssembler::ownedOf(std::uint64_t key) {
-  return ((key >> (kUnitBits + kLastBits)) & 2) == 0;
+  return ((key >> (kUnitBits + kLastBits)) & kNotOwned) == 0;
 }
 
 bool TileAssembler::ringsOf(std::uint64_t key) {
-  return ((key >> (kUnitBits + kLastBits)) & 1) != 0;
+  return ((key >> (kUnitBits + kLastBits)) & kRings) != 0;
+}
+
+bool TileAssembler::pairsOf(std::uint64_t key) {
+  return ((key >> (kUnitBits + kLastBits)) & kPairs) != 0;
 }
 
 TileAssembler::TileAssembler(const TilePlan& plan)
@@ -132,9 +141,8 @@ void TileAssembler::collect() {
     std::vector<std::uint64_t>& births = births_[at(k - units.root() - 1)];
     for (std::uint64_t& key : births) {
       const std::int32_t unit = unitOf(key);
-      const std::int32_t chain = level.firstChain + unit;
       const UnitBatch& batch = level.batchOf(unit);
-      key = keyOf(static_cast<std::int32_t>(&batch - level.batches.data()), chain, unit);
+      key = keyOf(k, batch, unit);
       for (const std::int32_t point : level.sources(batch, unit)) touchPoint(k - 1, point);
     }
     std::ranges::sort(births);
@@ -196,7 +204,8 @@ void TileAssembler::addStep(std::int32_t k, std::span<const std::uint64_t> keys,
     held.step = number;
     held.place = static_cast<std::int32_t>(i);
   }
-  addIndices(k, batch, keys, parts, parts.indices);
+  step.pairs = pairsOf(keys.front());
+  addIndices(k, batch, keys, parts);
   if (step.kind == TileStep::Kind::loose) {
     const LooseRows& loose = level.table->loose;
     for (const std::uint64_t key : keys) {
@@ -209,12 +218,38 @@ void TileAssembler::addStep(std::int32_t k, std::span<const std::uint64_t> keys,
   parts.steps.push_back(step);
 }
 
+/// Do the corners of a face stand as TileCorners::pairs tells?
+bool TileAssembler::isPaired(std::int32_t k, const UnitBatch& batch, std::int32_t unit) const {
+  if (plan_.places != TilePlaces::fours || batch.kind != UnitBatch::Kind::circulant || batch.width % 2 != 0 ||
+      k == plan_.units.root() + 1)
+    return false;
+  const LevelUnits& before = plan_.units.level(k - 1);
+  const std::span<const std::int32_t> corners = plan_.units.level(k).sources(batch, unit);
+  for (std::size_t i = 0; i < corners.size(); i += 2) {
+    const std::int32_t second = corners[i];
+    const std::int32_t first = corners[i + 1];
+    if (before.pointChain[at(first)] != before.pointChain[at(second)]) return false;
+    // The points of a face follow each other: the one before its first is its last.
+    const bool wraps = before.pointPlace[at(second)] == 0;
+    const std::int32_t after = first + 1;
+    const bool last = after == before.table->targetCount || before.pointPlace[at(after)] == 0;
+    if (wraps ? first <= second || !last : after != second) return false;
+    if (plan_.sharing.sharedPoint(k - 1, first) >= 0 || plan_.sharing.sharedPoint(k - 1, second) >= 0) return false;
+  }
+  return true;
+}
+
 void TileAssembler::addIndices(std::int32_t k, const UnitBatch& batch, std::span<const std::uint64_t> keys,
-                               const TileParts& parts, std::vector<TilePoint>& indices) const {
+                               TileParts& parts) const {
   const LevelUnits& level = plan_.units.level(k);
   for (const std::uint64_t key : keys) {
-    for (const std::int32_t point : level.sources(batch, unitOf(key))) {
-      indices.push_back(ownNumber(k - 1, point, parts));
+    const std::span<const std::int32_t> points = level.sources(batch, unitOf(key));
+    if (!pairsOf(key)) {
+      for (const std::int32_t point : points) parts.indices.push_back(ownNumber(k - 1, point, parts));
+      continue;
+    }
+    for (std::size_t i = 0; i < points.size(); i += 2) {
+      parts.indices.push_back(static_cast<TilePoint>(ownNumber(k - 1, points[i], parts) - tilePoint(kTileFours)));
     }
   }
 }
@@ -228,10 +263,9 @@ TilePoint TileAssembler::ownNumber(std::int32_t k, std::int32_t point, const Til
   const Held& held = held_[at(level.pointChain[at(point)])];
   const TileStep& step = parts.steps[at(held.step)];
   const std::int32_t first = parts.stages[at(step.firstStage + k - step.level)].firstPoint;
-  const bool ring = step.rings && k == units.last();
-  const FacePlaces places =
-      ring ? placesOfRing(held.place, step.width) : placesOfFace(plan_.places, held.place, step.count, outputsOf(step));
-  return tilePoint(first + places.first + places.step * (level.pointPlace[at(point)] + (ring ? 1 : 0)));
+  if (step.kind != TileStep::Kind::circulant) return tilePoint(first + held.place);
+  const FacePlaces places = placesOfFace(plan_.places, held.place, step.width);
+  return tilePoint(first + places.first + places.step * level.pointPlace[at(point)]);
 }
 
 std::int32_t TileAssembler::weightOf(std::int32_t k, const UnitBatch& batch) const {
@@ -259,9 +293,9 @@ void TileAssembler::addStages(std::int32_t k, const UnitBatch& batch, std::span<
       // Fours begin on a cache line.
       if (plan_.places == TilePlaces::fours) pointCount_ = (pointCount_ + kTileFours - 1) / kTileFours * kTileFours;
       stage.firstPoint = pointCount_;
-      step.rings = keepsRings(j) && step.kind == TileStep::Kind::circulant;
-      pointCount_ +=
-          step.rings ? static_cast<std::int32_t>(pointsOfRings(step.count, step.width)) : step.count * batch.outputs;
+      pointCount_ += step.kind == TileStep::Kind::circulant
+                         ? static_cast<std::int32_t>(roomOfFaces(plan_.places, step.count, step.width))
+                         : step.count;
     }
     if (owned && j <= units.wanted()) addOutputs(j, *here, alive, stage, parts);
     parts.stages.push_back(stage);

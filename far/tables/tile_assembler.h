@@ -99,9 +99,6 @@ class TileAssembler {
   void addLimits(std::size_t firstStep, TileParts& parts) const;
   void addLimitsOf(const TileStep& step, TileParts& parts) const;
   void addRings(std::size_t number, std::int32_t chain, TileParts& parts) const;
-  bool keepsRings(std::int32_t k) const {
-    return plan_.limits && plan_.places == TilePlaces::fours && k == plan_.units.last();
-  }
   /// Calls visit(chain, batch, unit) for what makes the tile's own points of the wanted level.
   template <class Visit>
   void forOwnedUnits(const Visit& visit) const {
@@ -123,9 +120,9 @@ class TileAssembler {
   void touchPoint(std::int32_t k, std::int32_t point);
   void import(std::int32_t point);
   void addImports(TileParts& parts);
-  /// Chains of one step, those of one batch, ownership, kind of exact normals and last level, have equal keys but for
-  /// the unit:
-  ///     | batch | not owned 1 | rings 1 | last 7 | unit 32 |
+  /// Chains of one step, those of one batch, ownership, kind of exact normals and of indices and last level, have equal
+  /// keys but for the unit:
+  ///     | batch | not owned 1 | rings 1 | pairs 1 | last 7 | unit 32 |
   static constexpr int kUnitBits = 32;
   /// Calls visit(keys of the chains of a step) for the steps of level k, in their order.
   template <class Visit>
@@ -138,7 +135,7 @@ class TileAssembler {
       begin = end;
     }
   }
-  std::uint64_t keyOf(std::int32_t batch, std::int32_t chain, std::int32_t unit) const;
+  std::uint64_t keyOf(std::int32_t k, const UnitBatch& batch, std::int32_t unit) const;
   static std::int32_t lastOf(std::uint64_t key);
   static bool ownedOf(std::uint64_t key);
   static std::int32_t unitOf(std::uint64_t key) { return static_cast<std::int32_t>(key & 0xffffffffu); }
@@ -147,10 +144,11 @@ class TileAssembler {
                  TileStep& step, TileParts& parts);
   void addOutputs(std::int32_t k, const UnitBatch& batch, std::span<const std::int32_t> units, TileStage& stage,
                   TileParts& parts);
-  void addIndices(std::int32_t k, const UnitBatch& batch, std::span<const std::uint64_t> keys, const TileParts& parts,
-                  std::vector<TilePoint>& indices) const;
+  void addIndices(std::int32_t k, const UnitBatch& batch, std::span<const std::uint64_t> keys, TileParts& parts) const;
   TilePoint ownNumber(std::int32_t k, std::int32_t point, const TileParts& parts) const;
   static bool ringsOf(std::uint64_t key);
+  static bool pairsOf(std::uint64_t key);
+  bool isPaired(std::int32_t k, const UnitBatch& batch, std::int32_t unit) const;
   std::int32_t weightOf(std::int32_t k, const UnitBatch& batch) const;
 
   const TilePlan& plan_;

@@ -57,7 +57,8 @@ bool TileAssembler::isRing(std::int32_t chain, const UnitBatch& batch, std::int3
   const TileUnits& units = plan_.units;
   const TileLimitPlan& limits = *plan_.limits;
   const std::int32_t behind = units.last();
-  if (!keepsRings(behind) || batch.kind != UnitBatch::Kind::circulant || units.unitAt(chain, behind) < 0) return false;
+  if (plan_.places != TilePlaces::fours || batch.kind != UnitBatch::Kind::circulant || units.unitAt(chain, behind) < 0)
+    return false;
   const std::int32_t first = units.level(units.wanted()).firstOutput(batch, unit);
   const LevelUnits& last = units.level(behind);
   const auto isOf = [&](std::int32_t point, std::int32_t maker, std::int32_t place) {

@@ -26,7 +26,8 @@ Result<void> unsoundTiles(fmt::format_string<Arguments...> text, Arguments&&... 
 Result<void> proveFrame(const TileTable& tiles, const LevelTables& levels) {
   if (tiles.rootLevel < 0 || tiles.rootLevel >= tiles.lastLevel || tiles.lastLevel > levels.levelCount())
     return unsoundTiles("they are of levels that aren't there");
-  if (tiles.order > TileOrder::tiles || tiles.places > TilePlaces::fours || tiles.normalKind > TileNormalKind::exact)
+  if (tiles.order > TileOrder::tiles || tiles.normalKind > TileNormalKind::exact ||
+      (tiles.places != TilePlaces::faces && tiles.places != TilePlaces::fours))
     return unsoundTiles("they are of no known kind");
   if (std::ssize(tiles.pointCount) != tiles.lastLevel + 1) return unsoundTiles("they have other levels");
   for (std::int32_t k = 0; k <= tiles.lastLevel; ++k) {
@@ -70,7 +71,8 @@ Result<void> proveTotals(const TileTable& tiles) {
   for (const TileStep& step : tiles.steps) {
     stages.take(step.stageCount);
     const bool loose = step.kind == TileStep::Kind::loose;
-    (loose ? rows : indices).take(loose ? step.count : std::int64_t{step.count} * step.width);
+    const std::int64_t width = step.pairs ? step.width / 2 : step.width;
+    (loose ? rows : indices).take(loose ? step.count : step.count * width);
   }
   for (const TileRow& row : tiles.rows) indices.take(row.entries);
   const TileNormals& normals = tiles.normals;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,41 +24,33 @@ enum class TileNormalKind : std::uint8_t {
   exact  ///< of the refinement's limits (RefineOptions::limits), the bits of CpuEvaluator::vertexLimits; slower
 };
 
-/// How the points of a step's faces stand in a tile, faces a b c .. of n points:
+/// How the points of a step's faces stand in a tile, faces a b c .. of points 0 .. n:
 ///     faces    a0 a1 .. an  b0 b1 .. bn  c0 ..
-///     fours    a0 b0 c0 d0  a1 b1 c1 d1  ..  an bn cn dn  e0 f0 ..; up to three faces left over one after the other
-/// Where exact normals are found round faces (TileRings), the level behind the last keeps rings: points of a face in
-/// fours, the last one in front once more, and room for four faces where fewer are left over
-///     rings    an bn cn dn  a0 b0 c0 d0  ..  an bn cn dn  en fn -- --  e0 f0 -- --  ..  en fn -- --
+///     fours    an bn cn dn  a0 b0 c0 d0  ..  an bn cn dn  en fn -- --  e0 f0 -- --  ..  en fn -- --
+/// Of fours the last point stands in front once more, so that each point has the one before it in front; and there is
+/// room for four faces where fewer are left over.
 enum class TilePlaces : std::uint8_t {
-  faces,
-  fours  ///< four faces' points are a cache line, which vectors write as they come: what TileEvaluator is fastest with
+  faces = 0,
+  fours = 2  ///< four faces' points are a cache line, which vectors write as they come, and a number stands for a point
+             ///< and the one before it: what TileEvaluator is fastest with
 };
 
 /// Faces that stand point by point together.
 constexpr std::int32_t kTileFours = 4;
-/// How many of `count` faces do.
-constexpr std::int32_t facesInFours(TilePlaces places, std::int32_t count) {
-  return places == TilePlaces::fours ? count - count % kTileFours : 0;
-}
 /// Where the points of a face stand, counted from the step's first: the first of them, and from one to the next.
 struct FacePlaces {
   std::int32_t first = 0;
   std::int32_t step = 1;
 };
-/// Of face `face` of `count` with `sides` points each.
-constexpr FacePlaces placesOfFace(TilePlaces places, std::int32_t face, std::int32_t count, std::int32_t sides) {
-  if (face >= facesInFours(places, count)) return {face * sides, 1};
+/// Of face `face` with `sides` points; as fours its last point stands at first - step, too.
+constexpr FacePlaces placesOfFace(TilePlaces places, std::int32_t face, std::int32_t sides) {
+  if (places == TilePlaces::faces) return {face * sides, 1};
   const std::int32_t among = face % kTileFours;
-  return {(face - among) * sides + among, kTileFours};
+  return {(face - among) * (sides + 1) + among + kTileFours, kTileFours};
 }
-/// Of the ring of face `face`, the last point in front.
-constexpr FacePlaces placesOfRing(std::int32_t face, std::int32_t sides) {
-  const std::int32_t among = face % kTileFours;
-  return {(face - among) * (sides + 1) + among, kTileFours};
-}
-/// Points of the rings of `count` faces, room for faces left over included.
-constexpr std::int64_t pointsOfRings(std::int64_t count, std::int32_t sides) {
+/// Room for the points of `count` faces.
+constexpr std::int64_t roomOfFaces(TilePlaces places, std::int64_t count, std::int32_t sides) {
+  if (places == TilePlaces::faces) return count * sides;
   return (count + kTileFours - 1) / kTileFours * kTileFours * (sides + 1);
 }
 
@@ -97,8 +90,8 @@ struct TileStage {
 /// Faces (or rows) of a tile that are born at the same level and live equally long. A face evolves alone: its points
 /// at a level are one circulant matrix times its points at the level before, so it is gathered once, at birth, and
 /// its points at all later levels follow without reading anything.
-///     indices   count x sides (circulant) or count x width (dense) own points of the level before birth
-///     loose     rows firstRow .. firstRow + count - 1, their entries one after the other from firstIndex
+///     indices   count x sides (circulant) or count x width (dense) own points of the level before birth; see
+///     TileCorners loose     rows firstRow .. firstRow + count - 1, their entries one after the other from firstIndex
 struct TileStep {
   /// The batch whose arithmetic it has.
   enum class Kind : std::uint8_t { circulant, dense, loose };
@@ -107,12 +100,33 @@ struct TileStep {
   std::uint8_t level = 0;                      ///< the level of birth; stage s belongs to level + s
   std::uint8_t stageCount = 1;                 ///< 1 for rows
   bool sameWeights = true;                     ///< of all stages
-  bool rings = false;                          ///< its stage behind the last level keeps rings (TilePlaces)
+  bool pairs = false;                          ///< its indices are those of pairs: TileCorners
   std::int32_t width = 0;                      ///< sides, or entries a dense row
   std::int32_t count = 0;                      ///< faces or rows
   std::int32_t firstIndex = 0;
   std::int32_t firstStage = 0;
   std::int32_t firstRow = 0;
+};
+
+/// The own points that the faces of a step read at birth. The corners of what becomes of a vertex are neighbours in
+/// the faces round it, two of each: c_0 and the one before it in its face, which is c_1, c_2 and so on. Where these
+/// stand as TilePlaces::fours one number, that of c_1, stands for both (`pairs`).
+struct TileCorners {
+  const TilePoint* indices = nullptr;
+  std::int32_t sides = 0;
+  bool pairs = false;
+
+  /// Numbers a face.
+  std::int32_t each() const { return pairs ? sides / 2 : sides; }
+  /// The corners of face `face`; `room`: for `sides` of them, used where the table doesn't have them as they are.
+  const TilePoint* of(std::int32_t face, TilePoint* room) const {
+    const TilePoint* first = indices + std::ptrdiff_t{face} * each();
+    if (!pairs) return first;
+    for (std::int32_t i = 0; i < sides; ++i) {
+      room[i] = static_cast<TilePoint>(first[i / 2] + (i % 2 == 0 ? tilePoint(kTileFours) : 0));
+    }
+    return room;
+  }
 };
 
 /// A loose row of a tile.

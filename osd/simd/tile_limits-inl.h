@@ -118,21 +118,24 @@ HWY_INLINE void ringNormals(D d, const Kernels::RingFaces& faces, const float* p
   sink.put(d, v, n, faces.outputs, face);
 }
 
-/// Faces `face`, face + K, .. as long as there are K more before `end`, in fours or one after the other. Returns the
-/// first that is left.
-template <class Known, bool kFours, class D, class Sink>
+/// Where the first of a face's points of the last level stands.
+HWY_INLINE const float* cornersOfRing(const Kernels::RingFaces& faces, const float* points, std::int32_t face) {
+  const Far::FacePlaces places = Far::placesOfFace(Far::TilePlaces::fours, face, faces.step.width);
+  return points + std::int64_t{Kernels::kTileStride} * (faces.kept + places.first);
+}
+
+/// Faces `face`, face + K, .. as long as there are K more. Returns the first that is left.
+template <class Known, class D, class Sink>
 HWY_INLINE std::int32_t ringsOfForm(D d, const Kernels::RingFaces& faces, const float* weights, const float* points,
-                                    std::int32_t face, std::int32_t end, Sink sink) {
+                                    std::int32_t face, Sink sink) {
   constexpr int N = Known::kSides;
-  static_assert(kFours || kBlocks<D> == 1);
+  constexpr int kStep = Kernels::kTileStride * Far::kTileFours;
   const Circulant<Known::kForm, N, D> form(d, weights);
-  const float* const corners = points + std::int64_t{Kernels::kTileStride} * faces.kept;
-  for (; face + kBlocks<D> <= end; face += kBlocks<D>) {
-    const Far::FacePlaces places = Far::placesOfFace(Far::TilePlaces::fours, face, kFours ? end : 0, N);
-    constexpr int kStep = Kernels::kTileStride * (kFours ? Far::kTileFours : 1);
+  for (; face + kBlocks<D> <= faces.step.count; face += kBlocks<D>) {
+    const float* const corners = cornersOfRing(faces, points, face);
     hn::Vec<D> p[N], own[N];
     HWY_UNROLL(8)
-    for (int i = 0; i < N; ++i) p[i] = hn::LoadU(d, corners + Kernels::kTileStride * places.first + i * kStep);
+    for (int i = 0; i < N; ++i) p[i] = hn::LoadU(d, corners + i * kStep);
     form(p, own);
     ringNormals<N>(d, faces, points, own, face, sink);
   }
@@ -145,11 +148,9 @@ void ringsOfAnyForm(const Kernels::RingFaces& faces, const float* weights, const
   const Block d;
   const int n = faces.step.width;
   for (std::int32_t face = 0; face < faces.step.count; ++face) {
-    const Far::FacePlaces places = Far::placesOfFace(Far::TilePlaces::fours, face, faces.step.count, n);
+    const float* const corners = cornersOfRing(faces, points, face);
     BlockVector p[Far::kLargestCirculant], own[Far::kLargestCirculant];
-    for (int i = 0; i < n; ++i) {
-      p[i] = hn::Load(d, points + std::int64_t{Kernels::kTileStride} * (faces.kept + places.first + i * places.step));
-    }
+    for (int i = 0; i < n; ++i) p[i] = hn::Load(d, corners + i * Kernels::kTileStride * Far::kTileFours);
     circulantOfAnyForm(d, faces.step.form, weights, p, own, n);
     ringNormals<0>(d, faces, points, own, face, sink);
   }
@@ -163,10 +164,8 @@ void ringNormalsOf(const Far::TileTable& table, const Far::TileRings& rings, con
     using Known = decltype(known);
     if constexpr (Known::kSides > 0) {
       using Wide = HWY_CAPPED(float, 16);
-      const std::int32_t count = faces.step.count;
-      const std::int32_t fours = Far::facesInFours(table.places, count);
-      ringsOfForm<Known, true>(Wide(), faces, weights, points, 0, fours, sink);
-      ringsOfForm<Known, false>(Block(), faces, weights, points, fours, count, sink);
+      const std::int32_t face = ringsOfForm<Known>(Wide(), faces, weights, points, 0, sink);
+      if constexpr (kBlocks < Wide >> 1) ringsOfForm<Known>(Block(), faces, weights, points, face, sink);
     } else {
       ringsOfAnyForm(faces, weights, points, sink);
     }

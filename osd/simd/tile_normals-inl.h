@@ -173,10 +173,11 @@ HWY_INLINE void faceNormals(const Far::TileTable& table, std::int32_t number, co
     std::copy_n(views.shared.point(normals.imports[at(range.firstImport + i)]), 3, to(i));
     to(i)[3] = 0;
   }
-  const auto find = [&](const Far::TileFrames& frames, const Far::TilePoint* index, std::int32_t first,
+  // The kernels of points left T1 x T2 of the faces they had at hand.
+  const auto find = [&](const Far::TileFrames& frames, const Far::TileCorners& corners, std::int32_t first,
                         std::int32_t step) HWY_ATTR {
-    if (step >= 0 && crossedAtBirth(table, step)) return makeRowUnit(to(first), frames.count);
-    normalsOfFaces(normals, frames, index, points, to(first));
+    if (step >= 0) return makeRowUnit(to(first), frames.count);
+    normalsOfFaces(normals, frames, corners.indices, points, to(first));
   };
   Kernels::forTileFrames(table, number, find);
 }

@@ -43,18 +43,6 @@ HWY_INLINE bool areDifferences(const float* weights) {
   return false;
 }
 
-/// Do the kernels of points leave T1 x T2 of the faces of step `s` of a table with fast normals?
-HWY_INLINE bool crossedAtBirth(const Far::TileTable& table, std::int32_t s) {
-  const Far::TileStep& step = table.steps[at(s)];
-  const Far::TileBorn& born = table.normals.born[at(s)];
-  if (born.firstNormal < 0 || (!step.sameWeights && step.stageCount > 1)) return false;
-#ifdef HONEYCOMB_NARROW_SIMD
-  if (step.form != Far::CirculantForm::quad && step.form != Far::CirculantForm::hexagon) return false;
-#endif
-  const float* w = table.normals.weightsSingle.data() + born.firstWeight + step.width;
-  return step.width == 4 ? areDifferences<4>(w) : step.width == 6 && areDifferences<6>(w);
-}
-
 /// T1 x T2 of faces of four or six corners p whose weights are Far::kQuadSpan or kHexagonSpan, which nobody needs to
 /// multiply with.
 template <int N, class D>

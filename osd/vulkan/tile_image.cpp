@@ -85,17 +85,14 @@ void TileImageBuilder::numberPoints(const Far::Tile& tile) {
   if (table_.places == Far::TilePlaces::faces) return;
   for (const TileStep& step : std::span(table_.steps).subspan(at(tile.firstStep), at(tile.stepCount))) {
     if (step.kind != TileStep::Kind::circulant) continue;
-    for (std::int32_t s = 0; s < step.stageCount; ++s) {
-      const Far::TileStage& stage = table_.stages[at(step.firstStage + s)];
+    for (const Far::TileStage& stage : std::span(table_.stages).subspan(at(step.firstStage), step.stageCount)) {
       if (stage.firstPoint < 0) continue;
-      const bool rings = step.rings && step.level + s > table_.lastLevel;
       auto number = static_cast<TileWord>(stage.firstPoint);
       for (std::int32_t face = 0; face < step.count; ++face) {
-        const Far::FacePlaces places = rings ? Far::placesOfRing(face, step.width)
-                                             : Far::placesOfFace(table_.places, face, step.count, step.width);
-        const std::int32_t first = stage.firstPoint + places.first + (rings ? places.step : 0);
+        const Far::FacePlaces places = Far::placesOfFace(table_.places, face, step.width);
+        const std::int32_t first = stage.firstPoint + places.first;
         for (std::int32_t i = 0; i < step.width; ++i) numbers_[at(first + i * places.step)] = number++;
-        if (rings) numbers_[at(first - places.step)] = number - 1;
+        numbers_[at(first - places.step)] = number - 1;
       }
     }
   }
@@ -192,9 +189,11 @@ TileWord TileImageBuilder::addRecords(const TileStep& step, bool written) {
   const TileWord begin = texels();
   const bool faces = step.kind == TileStep::Kind::circulant;
   const Kernels::Outputs outputs = written ? this->outputs(step) : Kernels::Outputs{};
-  const Far::TilePoint* index = table_.indices.data() + step.firstIndex;
+  const Far::TileCorners read = Kernels::cornersOf(table_, step);
+  std::vector<Far::TilePoint> room(at(step.width));
   std::vector<TileWord> corners(at(step.width));
-  for (std::int32_t item = 0; item < step.count; ++item, index += step.width) {
+  for (std::int32_t item = 0; item < step.count; ++item) {
+    const Far::TilePoint* index = read.of(item, room.data());
     std::transform(index, index + step.width, corners.begin(), [&](Far::TilePoint p) { return ownNumber(p); });
     pushHalves(corners);
     const auto first = written ? static_cast<TileWord>(outputs.of(item, faces ? step.width : 1)) : 0;

@@ -91,7 +91,7 @@ class TileImageBuilder {
   // Normals: tile_normal_image.cpp.
   void addFastNormals(std::int32_t number);
   void addImportedNormals(std::span<const std::int32_t> normals, TileWord place);
-  void addFaceNormals(const Far::TileFrames& frames, const Far::TilePoint* index, TileWord place);
+  void addFaceNormals(const Far::TileFrames& frames, const Far::TileCorners& read, TileWord place);
   void addCornerNormals(const Far::TileStep& step, const Far::TilePoint* faces);
   void addSummedNormals(const Far::TileStep& step, const Far::TilePoint* faces);
   void addSums(std::span<const NormalSum> sums, std::span<const TileWord> normals);

@@ -30,8 +30,8 @@ void TileImageBuilder::addFastNormals(std::int32_t number) {
   addImportedNormals(std::span(normals.imports).subspan(at(range.firstImport), at(range.importCount)), firstNormal_);
   Kernels::forTileFrames(
       table_, number,
-      [&](const Far::TileFrames& frames, const Far::TilePoint* index, std::int32_t first, std::int32_t) {
-        addFaceNormals(frames, index, firstNormal_ + static_cast<TileWord>(first));
+      [&](const Far::TileFrames& frames, const Far::TileCorners& corners, std::int32_t first, std::int32_t) {
+        addFaceNormals(frames, corners, firstNormal_ + static_cast<TileWord>(first));
       });
   if (begin < steps_.size()) steps_[begin + 6] = 1;
   const std::size_t vertices = steps_.size();
@@ -54,12 +54,14 @@ void TileImageBuilder::addImportedNormals(std::span<const std::int32_t> normals,
            0);
 }
 
-void TileImageBuilder::addFaceNormals(const Far::TileFrames& frames, const Far::TilePoint* index, TileWord place) {
+void TileImageBuilder::addFaceNormals(const Far::TileFrames& frames, const Far::TileCorners& read, TileWord place) {
   const auto sides = static_cast<TileWord>(frames.sides);
   const TileWord weights = tangentWeights(table_.normals.weightsSingle, frames.firstWeight, frames.sides);
   const TileWord first = texels();
+  std::vector<Far::TilePoint> room(sides);
   std::vector<TileWord> corners(sides);
-  for (std::int32_t g = 0; g < frames.count; ++g, index += frames.sides) {
+  for (std::int32_t g = 0; g < frames.count; ++g) {
+    const Far::TilePoint* index = read.of(g, room.data());
     std::transform(index, index + sides, corners.begin(), [&](Far::TilePoint p) { return ownNumber(p); });
     pushHalves(corners);
     image_.words.push_back(0);
@@ -169,7 +171,7 @@ void TileImageBuilder::addRingFaces(const Kernels::RingFaces& faces, TileWord pl
   const TileWord record = texels();
   std::vector<TileWord> corners(at(step.width));
   for (std::int32_t g = 0; g < step.count; ++g) {
-    const Far::FacePlaces places = Far::placesOfFace(table_.places, g, step.count, step.width);
+    const Far::FacePlaces places = Far::placesOfFace(table_.places, g, step.width);
     for (std::int32_t i = 0; i < step.width; ++i) {
       corners[at(i)] = numbers_[at(faces.kept + places.first + i * places.step)];
     }

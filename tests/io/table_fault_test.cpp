@@ -162,6 +162,14 @@ TEST(TableFaults, ARingReadsNoPointThatItsTileHasnt) {
   EXPECT_THAT(messageOf(bytes), HasSubstr("a normal is of a step that isn't there"));
 }
 
+TEST(TableFaults, OnlyFoursHavePairs) {
+  Bytes bytes = smallTable();
+  bytes[placeOf(bytes, "tileSteps") + offsetof(Far::TileStep, pairs)] = std::byte{1};
+  EXPECT_THAT(messageOf(bytes), HasSubstr("tiles: tile 0: a step's points are no pairs"));
+  bytes[placeOf(bytes, "tileSteps") + offsetof(Far::TileStep, pairs)] = std::byte{2};
+  EXPECT_THAT(messageOf(bytes), HasSubstr("tiles: step 0 has no such weights or pairs"));
+}
+
 TEST(TableFaults, TilesShareNoSteps) {
   Bytes bytes = smallTable();
   const std::size_t tiles = placeOf(bytes, "tiles");

@@ -299,6 +299,15 @@ TEST(TileTable, HoldsFewPointsTwice) {
   EXPECT_LT(static_cast<double>(tiles.byteCount()) / refinement.last().pointCount(), 3.5);
 }
 
+TEST(TileTable, HasANumberForTwoCornersOfWhatBecomesOfAVertex) {
+  const Far::Refinement refinement = refined(torus(30, 20), schemeCase(NamedTension::paper).scheme, 4);
+  const auto faces = must(Far::buildTileTable(refinement));
+  const auto fours = must(Far::buildTileTable(refinement, {.places = Far::TilePlaces::fours}));
+  for (const Far::TileStep& step : faces.steps) EXPECT_FALSE(step.pairs);
+  for (const Far::TileStep& step : fours.steps) EXPECT_EQ(step.pairs, step.level > fours.rootLevel + 1);
+  EXPECT_LT(10 * fours.indices.size(), 6 * faces.indices.size());
+}
+
 TEST(TileTable, HasTilesForAllThreadsOfOneSize) {
   const Far::Refinement refinement = refined(torus(60, 50), schemeCase(NamedTension::paper).scheme, 4);
   const auto sizes = [&](const Far::TileOptions& options) {
