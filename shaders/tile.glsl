@@ -102,6 +102,9 @@ void writeNumber(uint n, float value, const bool normal) {
   }
 }
 
+// kSixes: pairs of points before the first. Found once, as findSlice() does.
+uint firstPair = 0u;
+
 void writePoint(uint point, vec4 p) {
   const uint n = push.targetOffset + point * kTargetStride;
 #ifdef LONG_STORES
@@ -125,16 +128,15 @@ void writePoint(uint point, vec4 p) {
   if (kLength > 3u) writeNumber(n + 3u, p.w, false);
 }
 
-// The points of a face, the first of which is even.
-void writePair(uint point, vec4 p, vec4 q) {
+// Two points of a face, the first of which is even, by half its number and what firstPair says.
+void writePair(uint pair, vec4 p, vec4 q) {
 #ifdef LONG_STORES
   if (kPlacing == kSixes) {
-    sextupleTarget[0].values[push.targetOffset / 6u + point / 2u] =
-        u64vec3(longOf(p.xy), longOf(vec2(p.z, q.x)), longOf(q.yz));
+    sextupleTarget[0].values[pair] = u64vec3(longOf(p.xy), longOf(vec2(p.z, q.x)), longOf(q.yz));
     return;
   }
 #endif
-  const uint n = (push.targetOffset + point * 3u) / 2u;
+  const uint n = push.targetOffset / 2u + pair * 3u;
   pairedTarget[0].values[n] = p.xy;
   pairedTarget[0].values[n + 1u] = vec2(p.z, q.x);
   pairedTarget[0].values[n + 2u] = q.yz;
@@ -190,48 +192,56 @@ void importPoints(uint first, uint count) {
 #define SHAPE SHAPE_QUAD
 #define EVOLVE evolveQuad
 #define WRITE writeQuad
+#define KEEP keepQuad
 #define FACES facesQuad
 #include "tile_faces.glsl"
 #define N 6
 #define SHAPE SHAPE_HEXAGON
 #define EVOLVE evolveHexagon
 #define WRITE writeHexagon
+#define KEEP keepHexagon
 #define FACES facesHexagon
 #include "tile_faces.glsl"
 #define N 4
 #define SHAPE SHAPE_EVEN_ODD
 #define EVOLVE evolveEvenOdd4
 #define WRITE writeEvenOdd4
+#define KEEP keepEvenOdd4
 #define FACES facesEvenOdd4
 #include "tile_faces.glsl"
 #define N 6
 #define SHAPE SHAPE_EVEN_ODD
 #define EVOLVE evolveEvenOdd6
 #define WRITE writeEvenOdd6
+#define KEEP keepEvenOdd6
 #define FACES facesEvenOdd6
 #include "tile_faces.glsl"
 #define N 8
 #define SHAPE SHAPE_EVEN_ODD
 #define EVOLVE evolveEvenOdd8
 #define WRITE writeEvenOdd8
+#define KEEP keepEvenOdd8
 #define FACES facesEvenOdd8
 #include "tile_faces.glsl"
 #define N 3
 #define SHAPE SHAPE_DIRECT
 #define EVOLVE evolveDirect3
 #define WRITE writeDirect3
+#define KEEP keepDirect3
 #define FACES facesDirect3
 #include "tile_faces.glsl"
 #define N 5
 #define SHAPE SHAPE_DIRECT
 #define EVOLVE evolveDirect5
 #define WRITE writeDirect5
+#define KEEP keepDirect5
 #define FACES facesDirect5
 #include "tile_faces.glsl"
 #define N 7
 #define SHAPE SHAPE_DIRECT
 #define EVOLVE evolveDirect7
 #define WRITE writeDirect7
+#define KEEP keepDirect7
 #define FACES facesDirect7
 #include "tile_faces.glsl"
 
@@ -276,6 +286,8 @@ void runStep(Step step) {
 }
 
 void main() {
+  findSlice();
+  if (kPlacing == kSixes) firstPair = push.targetOffset / 6u;
   uint t = gl_WorkGroupID.x;
   uint ran = 0u;
   do {

@@ -1,6 +1,6 @@
 // Faces of N sides, all of whose matrices have the form SHAPE: EVOLVE brings a face's points to the next level, WRITE
-// writes those of the wanted level, FACES runs a step. Included once for each kind; the order of operations is that of
-// far/tables/level_table.h.
+// writes those of the wanted level, KEEP keeps those of a level before, FACES runs a step. Included once for each kind;
+// the order of operations is that of far/tables/level_table.h.
 //     record   (N+1)/2 words of two corners each, then the first output; whole texels
 #define TEXELS (((N + 1) / 2 + 4) / 4)
 #if SHAPE == SHAPE_QUAD || SHAPE == SHAPE_HEXAGON
@@ -40,11 +40,22 @@ void WRITE(uint first, const vec4 p[N]) {
 #endif
 #if N % 2 == 0
   if (kPlacing == kPairs || kPlacing == kSixes) {
-    for (int i = 0; i < N; i += 2) writePair(first + uint(i), p[i], p[i + 1]);
+    const uint pair = firstPair + first / 2u;
+    for (int i = 0; i < N; i += 2) writePair(pair + uint(i / 2), p[i], p[i + 1]);
     return;
   }
 #endif
   for (int i = 0; i < N; ++i) writePoint(first + uint(i), p[i]);
+}
+
+// The points of a stage begin at an even one (osd/vulkan/tile_image.h).
+void KEEP(uint first, const vec4 p[N]) {
+#if N % 2 == 0
+  const uint pair = pairOf(first);
+  for (int i = 0; i < N; i += 2) keepPair(pair + uint(i / 2), p[i], p[i + 1]);
+#else
+  for (int i = 0; i < N; ++i) keepPoint(first + uint(i), p[i]);
+#endif
 }
 
 // Weights are fetched once for all faces where they can be: a fetch costs lavapipe as much as evolving a face.
@@ -55,7 +66,8 @@ void FACES(Step step, const uint stages) {
   uint face = gl_LocalInvocationID.x;
   if (face >= step.count) return;
   vec4 w[WEIGHT_TEXELS];
-  FETCH_WEIGHTS(texelFetch(table, int(step.firstStage)).y);
+  const uvec4 firstStage = texelFetch(table, int(step.firstStage));
+  FETCH_WEIGHTS(firstStage.y);
   do {
     uvec4 record[TEXELS];
     for (int i = 0; i < TEXELS; ++i) record[i] = texelFetch(table, int(step.firstRecord + face * TEXELS) + i);
@@ -63,11 +75,12 @@ void FACES(Step step, const uint stages) {
     for (int i = 0; i < N; ++i) p[i] = ownPoint(halfOf(record[i / 8][i / 2 % 4], uint(i)));
     uint s = 0u;
     if (stages != kWritten) {
+      uint kept = firstStage.x + face * N;
       do {
-        const uvec4 stage = texelFetch(table, int(step.firstStage + s));
-        if (!kSameWeights) FETCH_WEIGHTS(stage.y);
+        if (!kSameWeights) FETCH_WEIGHTS(texelFetch(table, int(step.firstStage + s)).y);
         EVOLVE(p, w);
-        for (int i = 0; i < N; ++i) keepPoint(stage.x + face * N + uint(i), p[i]);
+        KEEP(kept, p);
+        kept += firstStage.z;
         ++s;
       } while (s < step.kept);
     }
@@ -85,4 +98,5 @@ void FACES(Step step, const uint stages) {
 #undef SHAPE
 #undef EVOLVE
 #undef WRITE
+#undef KEEP
 #undef FACES

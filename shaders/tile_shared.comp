@@ -9,6 +9,12 @@ shared vec4 scratch[kScratchPoints];
 
 vec4 ownPoint(uint i) { return scratch[i]; }
 void keepPoint(uint i, vec4 p) { scratch[i] = kLength > 3u ? p : vec4(p.xyz, 0.0); }
+uint pairOf(uint i) { return i / 2u; }
+void keepPair(uint pair, vec4 p, vec4 q) {
+  keepPoint(2u * pair, p);
+  keepPoint(2u * pair + 1u, q);
+}
+void findSlice() {}
 void settle() { barrier(); }
 
 const bool kDealt = false;

@@ -20,8 +20,12 @@ constexpr std::uint32_t kGroupOnGpu = 128;
 /// Workgroups at once on a GPU, each with a slice of the scratch and tile after tile: enough for all its cores.
 constexpr std::uint64_t kSlicesOnGpu = 1024;
 
-/// Texels of the scratch besides a tile's points: the dealer, and a slice's answer (shaders/tile_slices.glsl).
-constexpr std::uint64_t kOtherScratch = 2;
+/// Texels of the scratch in front of the slices: the dealer (shaders/tile_slices.glsl). Slices begin at even ones.
+constexpr std::uint64_t kFrontTexels = 2;
+/// Of a slice, for a tile of `points`: these, the answer, and one more where that makes it even.
+constexpr std::uint32_t sliceTexels(std::uint32_t points) {
+  return (points + 2) / 2 * 2;
+}
 
 std::vector<std::int32_t> chosen(const Far::TileTable& tiles, const VulkanTileOptions& options) {
   if (options.only) return {options.only->begin(), options.only->end()};
@@ -164,7 +168,7 @@ Result<Dispatch> TableBuilder::tileDispatch(const Far::TileTable& tiles, const S
   const std::uint64_t slice = std::uint64_t{points} * kTexelBytes;
   const auto kernel = chooseKernel(*core_, scratch, slice);
   if (!kernel) return tl::unexpected(kernel.error());
-  if (slice + kOtherScratch * kTexelBytes > core_->limits.pageBytes) {
+  if ((kFrontTexels + sliceTexels(points)) * kTexelBytes > core_->limits.pageBytes) {
     return fail(ErrorCode::tooLarge,
                 fmt::format("a tile keeps {} bytes, this Vulkan device binds {}: use smaller tiles "
                             "(TileOptions::scratchPoints) or refine level by level",
@@ -175,7 +179,7 @@ Result<Dispatch> TableBuilder::tileDispatch(const Far::TileTable& tiles, const S
   constants.workgroupSize = groupSize(*core_);
   // Rounded up, so that meshes share pipelines.
   constexpr std::uint32_t kRounding = 256;
-  dispatch.push.firstOutput = points + 1;
+  dispatch.push.firstOutput = sliceTexels(points);
   if (*kernel != Kernel::tileShared) constants.dealt = onCpu(*core_) ? 1 : 0;
   if (*kernel == Kernel::tileShared) {
     constants.scratchPoints = std::min((points + kRounding - 1) / kRounding * kRounding,
@@ -258,9 +262,9 @@ void TableBuilder::setGroups(Dispatch& dispatch, const TileImage& image) {
   std::uint64_t groups = std::min<std::uint64_t>(dispatch.push.count, limits.groupsInRow);
   if (dispatch.kernel != Kernel::tileShared) {
     const std::uint64_t slice = dispatch.push.firstOutput;
-    const std::uint64_t most = std::min<std::uint64_t>(limits.pageBytes / kTexelBytes, limits.texels) - 1;
+    const std::uint64_t most = std::min<std::uint64_t>(limits.pageBytes / kTexelBytes, limits.texels) - kFrontTexels;
     groups = std::min({groups, slices(*core_, image), most / slice});
-    const std::uint64_t bytes = (1 + groups * slice) * kTexelBytes;
+    const std::uint64_t bytes = (kFrontTexels + groups * slice) * kTexelBytes;
     need(PointBuffer::tileScratch, bytes);
     rangeOf(dispatch, Slot::target) = {Role::tileScratch, 0, bytes};
   }

@@ -78,23 +78,38 @@ void TileImageBuilder::finish() {
   tangentWeights_.clear();
 }
 
-// The kernels keep a step's points face after face, whatever TilePlaces says.
+// The kernels keep a step's points face after face, whatever TilePlaces says, and stage after stage, so that one number
+// leads from each to the next. It is even, as the first is: two points of a face are one store where stores may be
+// long.
 void TileImageBuilder::numberPoints(const Far::Tile& tile) {
   numbers_.resize(at(tile.pointCount));
-  std::iota(numbers_.begin(), numbers_.end(), 0);
-  if (table_.places == Far::TilePlaces::faces) return;
+  std::iota(numbers_.begin(), numbers_.begin() + tile.importCount, 0);
+  pointCount_ = static_cast<TileWord>(tile.importCount);
   for (const TileStep& step : std::span(table_.steps).subspan(at(tile.firstStep), at(tile.stepCount))) {
-    if (step.kind != TileStep::Kind::circulant) continue;
     for (const Far::TileStage& stage : std::span(table_.stages).subspan(at(step.firstStage), step.stageCount)) {
       if (stage.firstPoint < 0) continue;
-      auto number = static_cast<TileWord>(stage.firstPoint);
-      for (std::int32_t face = 0; face < step.count; ++face) {
-        const Far::FacePlaces places = Far::placesOfFace(table_.places, face, step.width);
-        const std::int32_t first = stage.firstPoint + places.first;
-        for (std::int32_t i = 0; i < step.width; ++i) numbers_[at(first + i * places.step)] = number++;
-        numbers_[at(first - places.step)] = number - 1;
-      }
+      numberStage(step, stage.firstPoint, evenFrom(pointCount_));
+      pointCount_ = evenFrom(pointCount_) + stageStride(step);
     }
+  }
+}
+
+TileWord TileImageBuilder::stageStride(const TileStep& step) {
+  return evenFrom(static_cast<TileWord>(step.count * pointsEach(step)));
+}
+
+// Rows stand one after the other.
+Far::TilePlaces TileImageBuilder::placesOf(const TileStep& step) const {
+  return step.kind == TileStep::Kind::circulant ? table_.places : Far::TilePlaces::faces;
+}
+
+void TileImageBuilder::numberStage(const TileStep& step, std::int32_t firstPoint, TileWord number) {
+  const Far::TilePlaces places = placesOf(step);
+  const std::int32_t points = pointsEach(step);
+  for (std::int32_t item = 0; item < step.count; ++item) {
+    const Far::FacePlaces place = Far::placesOfFace(places, item, points);
+    for (std::int32_t i = 0; i < points; ++i) numbers_[at(firstPoint + place.first + i * place.step)] = number++;
+    if (places == Far::TilePlaces::fours) numbers_[at(firstPoint + place.first - place.step)] = number - 1;
   }
 }
 
@@ -111,7 +126,7 @@ void TileImageBuilder::addTile(std::int32_t number) {
     steps_[before + 6] = step.level != level ? 1 : 0;
     level = step.level;
   }
-  firstNormal_ = static_cast<TileWord>(tile.pointCount);
+  firstNormal_ = pointCount_;
   largest_ = std::max(largest_, firstNormal_);
   if (normals_ == Far::TileNormalKind::fast) addFastNormals(number);
   if (normals_ == Far::TileNormalKind::exact) addExactNormals(number);
@@ -235,7 +250,9 @@ TileWord TileImageBuilder::addStages(const TileStep& step, std::int32_t stages) 
       weight = weights(stage.firstWeight, Far::formWeightCount(step.form, step.width));
     }
     if (step.kind == TileStep::Kind::dense) weight = weights(stage.firstWeight, step.width);
-    words.insert(words.end(), {static_cast<TileWord>(stage.firstPoint), weight, 0, 0});
+    const std::int32_t first = stage.firstPoint + Far::placesOfFace(placesOf(step), 0, step.width).first;
+    const TileWord kept = stage.firstPoint < 0 ? 0 : numbers_[at(first)];
+    words.insert(words.end(), {kept, weight, stageStride(step), 0});
   }
   const TileWord first = texels();
   image_.words.insert(image_.words.end(), words.begin(), words.end());

@@ -26,7 +26,7 @@ constexpr std::size_t kTexelWords = 4;
 ///     step     case, faces, first record, width | first stage, kept stages, 1 where what the steps before wrote is
 ///              read, how a stage is written: 0 none is, 1 the one behind those kept, 2 the last of these
 ///              of normals: case, items, first record, width | first weight, first kept normal or neighbours, ..
-///     stage    first point of the tile's own that is kept, first weight, 0, 0
+///     stage    first point of the tile's own that is kept, first weight, from the former to the next stage's, 0
 ///     record   of faces, rows and normals: shaders/tile_faces.glsl, tile_rows.glsl and tile_normals.glsl draw them
 ///     weights  of a circulant's form or of dense rows, or of a normal's tangents, each from a texel on
 struct TileImage {
@@ -75,6 +75,15 @@ class TileImageBuilder {
   void finish();
   void addTile(std::int32_t number);
   void numberPoints(const Far::Tile& tile);
+  /// The first even number from `number` on.
+  static constexpr TileWord evenFrom(TileWord number) { return number + number % 2; }
+  static std::int32_t pointsEach(const Far::TileStep& step) {
+    return step.kind == Far::TileStep::Kind::circulant ? step.width : 1;
+  }
+  /// From the points that a stage keeps to those of the next.
+  static TileWord stageStride(const Far::TileStep& step);
+  Far::TilePlaces placesOf(const Far::TileStep& step) const;
+  void numberStage(const Far::TileStep& step, std::int32_t firstPoint, TileWord number);
   TileWord ownNumber(Far::TilePoint point) const { return numbers_[point / 2U]; }
   void addImports(const Far::Tile& tile);
   void closeTile(TileWord firstImport, std::int32_t imports);
@@ -96,7 +105,7 @@ class TileImageBuilder {
   void addSummedNormals(const Far::TileStep& step, const Far::TilePoint* faces);
   void addSums(std::span<const NormalSum> sums, std::span<const TileWord> normals);
   void addExactNormals(std::int32_t number);
-  void addRings(const Far::Tile& tile, std::span<const Far::TileRings> rings);
+  void addRings(std::span<const Far::TileRings> rings);
   void addRingFaces(const Kernels::RingFaces& faces, TileWord place);
   void addRingNormals(const Kernels::RingFaces& faces, TileWord place);
   TileWord tangentWeights(std::span<const float> weights, std::int32_t first, std::int32_t sides);
@@ -123,6 +132,7 @@ class TileImageBuilder {
   std::map<std::int32_t, TileWord> tangentWeights_;  ///< and those of normals
   std::vector<TileWord> steps_;                      ///< of the tile
   std::vector<TileWord> numbers_;                    ///< of the tile's points in the image
+  TileWord pointCount_ = 0;                          ///< behind the last of these
   std::uint64_t turns_ = 0;                          ///< of the tile's loops
   TileWord mostSteps_ = 0;                           ///< of a tile
   TileWord firstNormal_ = 0;                         ///< the tile's own normals stand behind its points

@@ -145,19 +145,19 @@ void TileImageBuilder::addExactNormals(std::int32_t number) {
   }
   if (begin < steps_.size()) steps_[begin + 6] = 1;
   const Far::TileLimits::Range& rings = limits.ringTiles[at(number)];
-  addRings(table_.tiles[at(number)], std::span(limits.rings).subspan(at(rings.first), at(rings.count)));
+  addRings(std::span(limits.rings).subspan(at(rings.first), at(rings.count)));
 }
 
 // The faces' points of the level behind are kept behind all others, face after face, then each vertex reads its six.
-void TileImageBuilder::addRings(const Far::Tile& tile, std::span<const Far::TileRings> rings) {
-  auto place = static_cast<TileWord>(tile.pointCount);
+void TileImageBuilder::addRings(std::span<const Far::TileRings> rings) {
+  TileWord place = evenFrom(pointCount_);
   const std::size_t faces = steps_.size();
   std::vector<TileWord> places;
   for (const Far::TileRings& some : rings) {
     const Kernels::RingFaces ring = Kernels::ringFaces(table_, some);
     places.push_back(place);
     addRingFaces(ring, place);
-    place += static_cast<TileWord>(ring.step.count * ring.step.width);
+    place += stageStride(ring.step);
   }
   if (faces < steps_.size()) steps_[faces + 6] = 1;
   const std::size_t vertices = steps_.size();
@@ -181,7 +181,7 @@ void TileImageBuilder::addRingFaces(const Kernels::RingFaces& faces, TileWord pl
   }
   const TileWord weight = weights(faces.firstWeight, Far::formWeightCount(step.form, step.width));
   const TileWord stage = texels();
-  image_.words.insert(image_.words.end(), {place, weight, 0, 0});
+  image_.words.insert(image_.words.end(), {place, weight, stageStride(step), 0});
   pushStep({caseOf(step, TileStages::kept), static_cast<TileWord>(step.count), record,
             static_cast<TileWord>(step.width), stage, 1, 0, 0},
            innerTurns(step, 1));

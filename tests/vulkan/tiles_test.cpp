@@ -135,6 +135,7 @@ TEST_F(TilesTest, OnADeviceWithAndWithoutLongStores) {
       }
     }
     for (const std::size_t sides : {3U, 7U, 8U}) EXPECT_TRUE(agree(aklemanOf(Meshes::prism(sides), 2), {}));
+    EXPECT_TRUE(agree(aklemanOf(Meshes::fan(300), 2), {.scratchPoints = 1000})) << "with shared points";
   }
 }
 
