@@ -18,6 +18,7 @@ layout(constant_id = 13) const uint kOtherCases = 0xffffffffu;  // as kCases, fr
 layout(constant_id = 14) const uint kNormalPage = 1u;           // pages of points come first, then those of normals
 layout(constant_id = 15) const bool kNormalPairs = false;       // two packed normals of a face are three aligned vec2
 layout(constant_id = 16) const bool kSameWeights = false;       // a face has the same weights at all its stages
+layout(constant_id = 19) const bool kRootThrees = false;  // a point of the root is a packed vec3; with LONG_STORES alone
 
 // Osd::TilePlacing. Stores are what lavapipe is slowest at, and cost by their number.
 const uint kNumbers = 0u;  // number by number
@@ -36,6 +37,9 @@ layout(set = 0, binding = 0, scalar) writeonly buffer TripleTarget { vec3 values
 layout(set = 0, binding = 0, scalar) writeonly buffer SextupleTarget { u64vec3 values[]; } sextupleTarget[8];
 #endif
 layout(set = 0, binding = 1, std430) restrict readonly buffer Root { float root[]; };
+#ifdef LONG_STORES
+layout(set = 0, binding = 1, scalar) restrict readonly buffer RootOfThrees { vec3 rootOfThrees[]; };
+#endif
 layout(set = 0, binding = 2, std430) restrict readonly buffer Shared { float sharedNumbers[]; };
 layout(set = 0, binding = 7) uniform usamplerBuffer table;
 
@@ -173,17 +177,25 @@ float importedNumber(uint import, uint c) {
   return sharedNumbers[push.firstRecord + (import & ~kSharedImport) * push.sides + c];
 }
 
+// firstRoot is what kRootThrees reads behind.
+vec4 importedPoint(uint import, uint firstRoot) {
+#ifdef LONG_STORES
+  if (kRootThrees) return vec4(rootOfThrees[firstRoot + import], 0.0);
+#endif
+  vec4 p = vec4(0.0);
+  p.x = importedNumber(import, 0u);
+  if (kLength > 1u) p.y = importedNumber(import, 1u);
+  if (kLength > 2u) p.z = importedNumber(import, 2u);
+  if (kLength > 3u) p.w = importedNumber(import, 3u);
+  return p;
+}
+
 void importPoints(uint first, uint count) {
   uint i = gl_LocalInvocationID.x;
   if (i >= count) return;
+  const uint firstRoot = push.sourceOffset / 3u;
   do {
-    const uint import = texelFetch(table, int(first + i / 4u))[i % 4u];
-    vec4 p = vec4(0.0);
-    p.x = importedNumber(import, 0u);
-    if (kLength > 1u) p.y = importedNumber(import, 1u);
-    if (kLength > 2u) p.z = importedNumber(import, 2u);
-    if (kLength > 3u) p.w = importedNumber(import, 3u);
-    keepPoint(i, p);
+    keepPoint(i, importedPoint(texelFetch(table, int(first + i / 4u))[i % 4u], firstRoot));
     i += gl_WorkGroupSize.x;
   } while (i < count);
 }

@@ -61,15 +61,16 @@ struct Specialization {
   std::uint32_t sameWeights = 0;  ///< TileImage::sameWeights
   std::uint32_t oneSubgroup = 0;  ///< a workgroup is one full subgroup, which the pipeline is then made to require
   std::uint32_t dealt = 0;        ///< workgroups ask for their next tile
+  std::uint32_t rootThrees = 0;   ///< a packed point of the root is read as one
   /// All of them in order, to be compared.
   auto constants() const {
     return std::tie(workgroupSize, length, sourceStride, targetStride, normalStride, sides, pageShift, windowed, form,
                     scratchPoints, cases, placing, shares, otherCases, normalPage, normalPairs, sameWeights,
-                    oneSubgroup, dealt);
+                    oneSubgroup, dealt, rootThrees);
   }
   bool operator<(const Specialization& other) const { return constants() < other.constants(); }
 };
-constexpr std::uint32_t kSpecializationCount = 19;
+constexpr std::uint32_t kSpecializationCount = 20;
 static_assert(sizeof(Specialization) == kSpecializationCount * sizeof(std::uint32_t));
 
 /// Up to this many sides the loops of a kernel are unrolled and a circulant's weights are push constants. Unrolling

@@ -89,6 +89,13 @@ TilePlacing placingOf(const Dispatch& dispatch, const TileImage& image) {
   return offset % 2 == 0 && image.pairs ? TilePlacing::pairs : TilePlacing::numbers;
 }
 
+/// Three numbers of a point at once: what lavapipe takes for a read is a loop over invocations, too.
+bool readsThrees(const Dispatch& dispatch) {
+  const Specialization& constants = dispatch.specialization;
+  const bool packed = constants.length == 3 && constants.sourceStride == 3 && dispatch.push.sourceOffset % 3 == 0;
+  return dispatch.kernel == Kernel::tileLong && packed && constants.shares == 0;
+}
+
 /// Errors: invalidOption for normals that there aren't, at this level or of such points.
 Result<void> checkTileNormals(const Far::TileTable& tiles, const VulkanTableOptions& table,
                               const BufferDescriptor& normals) {
@@ -280,6 +287,7 @@ void TableBuilder::setPiece(Dispatch& dispatch, const Dispatch& whole, const Til
   dispatch.push.sourceOffset = whole.push.sourceOffset + begin;
   dispatch.push.targetOffset = whole.push.targetOffset + begin;
   dispatch.push.firstRecord = begin;
+  constants.rootThrees = readsThrees(dispatch) ? 1 : 0;
   constants.placing = TilePlacing::numbers;
   constants.normalPairs = 0;
   if (constants.pageShift != 0) return;
