@@ -18,7 +18,7 @@ layout(constant_id = 13) const uint kOtherCases = 0xffffffffu;  // as kCases, fr
 layout(constant_id = 14) const uint kNormalPage = 1u;           // pages of points come first, then those of normals
 layout(constant_id = 15) const bool kNormalPairs = false;       // two packed normals of a face are three aligned vec2
 layout(constant_id = 16) const bool kSameWeights = false;       // a face has the same weights at all its stages
-layout(constant_id = 19) const bool kRootThrees = false;  // a point of the root is a packed vec3; with LONG_STORES alone
+layout(constant_id = 19) const bool kPackedRoot = false;        // points of the root are vec3 or vec4; with LONG_STORES
 
 // Osd::TilePlacing. Stores are what lavapipe is slowest at, and cost by their number.
 const uint kNumbers = 0u;  // number by number
@@ -27,6 +27,7 @@ const uint kPairs = 2u;    // two packed points of a face are three aligned vec2
 const uint kFours = 3u;    // four packed points of a face are three aligned vec4, six are four and a vec2
 const uint kThrees = 4u;   // a packed point is a vec3 of scalar layout; where LONG_STORES is defined, as the next
 const uint kSixes = 5u;    // and two packed points of a face are three 64-bit numbers, the first of them even
+const uint kEights = 6u;   // as kWhole, and two points of a face are four 64-bit numbers, the first of them even
 
 layout(set = 0, binding = 0, std430) writeonly buffer Target { float values[]; } target[8];
 layout(set = 0, binding = 0, std430) writeonly buffer WholeTarget { vec4 values[]; } wholeTarget[8];
@@ -35,10 +36,12 @@ layout(set = 0, binding = 0, std430) writeonly buffer PairedTarget { vec2 values
 layout(set = 0, binding = 0, std430) writeonly buffer LongTarget { u64vec2 values[]; } longTarget[8];
 layout(set = 0, binding = 0, scalar) writeonly buffer TripleTarget { vec3 values[]; } tripleTarget[8];
 layout(set = 0, binding = 0, scalar) writeonly buffer SextupleTarget { u64vec3 values[]; } sextupleTarget[8];
+layout(set = 0, binding = 0, scalar) writeonly buffer OctupleTarget { u64vec4 values[]; } octupleTarget[8];
 #endif
 layout(set = 0, binding = 1, std430) restrict readonly buffer Root { float root[]; };
 #ifdef LONG_STORES
 layout(set = 0, binding = 1, scalar) restrict readonly buffer RootOfThrees { vec3 rootOfThrees[]; };
+layout(set = 0, binding = 1, scalar) restrict readonly buffer RootOfFours { vec4 rootOfFours[]; };
 #endif
 layout(set = 0, binding = 2, std430) restrict readonly buffer Shared { float sharedNumbers[]; };
 layout(set = 0, binding = 7) uniform usamplerBuffer table;
@@ -106,26 +109,32 @@ void writeNumber(uint n, float value, const bool normal) {
   }
 }
 
-// kSixes: pairs of points before the first. Found once, as findSlice() does.
+// Points, of kWhole vec4, of the target before the first, and pairs of points. Found once, as a slice is.
+uint firstPoint = 0u;
 uint firstPair = 0u;
+void findTarget() {
+  if (kPlacing == kWhole || kPlacing == kEights) firstPoint = push.targetOffset / 4u;
+  if (kPlacing == kThrees || kPlacing == kSixes) firstPoint = push.targetOffset / 3u;
+  firstPair = firstPoint / 2u;
+}
 
 void writePoint(uint point, vec4 p) {
-  const uint n = push.targetOffset + point * kTargetStride;
 #ifdef LONG_STORES
-  if (kPlacing == kWhole) {
-    longTarget[0].values[n / 4u] = u64vec2(longOf(p.xy), longOf(p.zw));
+  if (kPlacing == kWhole || kPlacing == kEights) {
+    longTarget[0].values[firstPoint + point * (kTargetStride / 4u)] = u64vec2(longOf(p.xy), longOf(p.zw));
     return;
   }
   if (kPlacing == kThrees || kPlacing == kSixes) {
-    tripleTarget[0].values[push.targetOffset / 3u + point] = p.xyz;
+    tripleTarget[0].values[firstPoint + point] = p.xyz;
     return;
   }
 #else
   if (kPlacing == kWhole) {
-    wholeTarget[0].values[n / 4u] = p;
+    wholeTarget[0].values[firstPoint + point * (kTargetStride / 4u)] = p;
     return;
   }
 #endif
+  const uint n = push.targetOffset + point * kTargetStride;
   writeNumber(n, p.x, false);
   if (kLength > 1u) writeNumber(n + 1u, p.y, false);
   if (kLength > 2u) writeNumber(n + 2u, p.z, false);
@@ -137,6 +146,10 @@ void writePair(uint pair, vec4 p, vec4 q) {
 #ifdef LONG_STORES
   if (kPlacing == kSixes) {
     sextupleTarget[0].values[pair] = u64vec3(longOf(p.xy), longOf(vec2(p.z, q.x)), longOf(q.yz));
+    return;
+  }
+  if (kPlacing == kEights) {
+    octupleTarget[0].values[pair] = u64vec4(longOf(p.xy), longOf(p.zw), longOf(q.xy), longOf(q.zw));
     return;
   }
 #endif
@@ -177,10 +190,10 @@ float importedNumber(uint import, uint c) {
   return sharedNumbers[push.firstRecord + (import & ~kSharedImport) * push.sides + c];
 }
 
-// firstRoot is what kRootThrees reads behind.
+// firstRoot: points of the root before the first, where they are packed.
 vec4 importedPoint(uint import, uint firstRoot) {
 #ifdef LONG_STORES
-  if (kRootThrees) return vec4(rootOfThrees[firstRoot + import], 0.0);
+  if (kPackedRoot) return kLength == 4u ? rootOfFours[firstRoot + import] : vec4(rootOfThrees[firstRoot + import], 0.0);
 #endif
   vec4 p = vec4(0.0);
   p.x = importedNumber(import, 0u);
@@ -193,7 +206,7 @@ vec4 importedPoint(uint import, uint firstRoot) {
 void importPoints(uint first, uint count) {
   uint i = gl_LocalInvocationID.x;
   if (i >= count) return;
-  const uint firstRoot = push.sourceOffset / 3u;
+  const uint firstRoot = push.sourceOffset / kSourceStride;
   do {
     keepPoint(i, importedPoint(texelFetch(table, int(first + i / 4u))[i % 4u], firstRoot));
     i += gl_WorkGroupSize.x;
@@ -299,7 +312,7 @@ void runStep(Step step) {
 
 void main() {
   findSlice();
-  if (kPlacing == kSixes) firstPair = push.targetOffset / 6u;
+  findTarget();
   uint t = gl_WorkGroupID.x;
   uint ran = 0u;
   do {

@@ -39,7 +39,7 @@ void WRITE(uint first, const vec4 p[N]) {
   }
 #endif
 #if N % 2 == 0
-  if (kPlacing == kPairs || kPlacing == kSixes) {
+  if (kPlacing == kPairs || kPlacing == kSixes || kPlacing == kEights) {
     const uint pair = firstPair + first / 2u;
     for (int i = 0; i < N; i += 2) writePair(pair + uint(i / 2), p[i], p[i + 1]);
     return;

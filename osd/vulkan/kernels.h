@@ -38,7 +38,7 @@ enum class Kernel : std::uint32_t {
 constexpr std::uint32_t kKernelCount = 25;
 
 /// How tiles write a point: see shaders/tile.glsl.
-enum class TilePlacing : std::uint32_t { numbers, whole, pairs, fours, threes, sixes };
+enum class TilePlacing : std::uint32_t { numbers, whole, pairs, fours, threes, sixes, eights };
 
 /// The specialisation constants of shaders/evaluate.glsl, then those of shaders/tile.glsl, by constant_id.
 struct Specialization {
@@ -61,12 +61,12 @@ struct Specialization {
   std::uint32_t sameWeights = 0;  ///< TileImage::sameWeights
   std::uint32_t oneSubgroup = 0;  ///< a workgroup is one full subgroup, which the pipeline is then made to require
   std::uint32_t dealt = 0;        ///< workgroups ask for their next tile
-  std::uint32_t rootThrees = 0;   ///< a packed point of the root is read as one
+  std::uint32_t packedRoot = 0;   ///< a point of the root is read as one vector
   /// All of them in order, to be compared.
   auto constants() const {
     return std::tie(workgroupSize, length, sourceStride, targetStride, normalStride, sides, pageShift, windowed, form,
                     scratchPoints, cases, placing, shares, otherCases, normalPage, normalPairs, sameWeights,
-                    oneSubgroup, dealt, rootThrees);
+                    oneSubgroup, dealt, packedRoot);
   }
   bool operator<(const Specialization& other) const { return constants() < other.constants(); }
 };

@@ -80,20 +80,24 @@ Result<Kernel> chooseKernel(const VulkanCore& core, TileScratch scratch, std::ui
 TilePlacing placingOf(const Dispatch& dispatch, const TileImage& image) {
   const Specialization& constants = dispatch.specialization;
   const std::uint32_t offset = dispatch.push.targetOffset;
-  if (constants.length == 4 && (offset | constants.targetStride) % 4 == 0) return TilePlacing::whole;
+  const bool pairs = dispatch.kernel == Kernel::tileLong && image.pairs;
+  if (constants.length == 4 && (offset | constants.targetStride) % 4 == 0) {
+    return pairs && constants.targetStride == 4 && offset % 8 == 0 ? TilePlacing::eights : TilePlacing::whole;
+  }
   if (constants.length != 3 || constants.targetStride != 3) return TilePlacing::numbers;
   if (dispatch.kernel == Kernel::tileLong && offset % 3 == 0) {
-    return offset % 2 == 0 && image.pairs ? TilePlacing::sixes : TilePlacing::threes;
+    return offset % 2 == 0 && pairs ? TilePlacing::sixes : TilePlacing::threes;
   }
   if (offset % 4 == 0 && image.fours) return TilePlacing::fours;
   return offset % 2 == 0 && image.pairs ? TilePlacing::pairs : TilePlacing::numbers;
 }
 
-/// Three numbers of a point at once: what lavapipe takes for a read is a loop over invocations, too.
-bool readsThrees(const Dispatch& dispatch) {
+/// All numbers of a point at once: what lavapipe takes for a read is a loop over invocations, too.
+bool readsWhole(const Dispatch& dispatch) {
   const Specialization& constants = dispatch.specialization;
-  const bool packed = constants.length == 3 && constants.sourceStride == 3 && dispatch.push.sourceOffset % 3 == 0;
-  return dispatch.kernel == Kernel::tileLong && packed && constants.shares == 0;
+  if (dispatch.kernel != Kernel::tileLong || constants.shares != 0) return false;
+  const bool packed = constants.length == constants.sourceStride && dispatch.push.sourceOffset % constants.length == 0;
+  return packed && (constants.length == 3 || constants.length == 4);
 }
 
 /// Errors: invalidOption for normals that there aren't, at this level or of such points.
@@ -287,7 +291,7 @@ void TableBuilder::setPiece(Dispatch& dispatch, const Dispatch& whole, const Til
   dispatch.push.sourceOffset = whole.push.sourceOffset + begin;
   dispatch.push.targetOffset = whole.push.targetOffset + begin;
   dispatch.push.firstRecord = begin;
-  constants.rootThrees = readsThrees(dispatch) ? 1 : 0;
+  constants.packedRoot = readsWhole(dispatch) ? 1 : 0;
   constants.placing = TilePlacing::numbers;
   constants.normalPairs = 0;
   if (constants.pageShift != 0) return;

@@ -35,7 +35,8 @@ struct Layouts {
 inline const std::vector<Layouts> kPositions = {{{0, 3, 3}, {0, 3, 3}}, {{0, 3, 3}, {2, 3, 4}}, {{0, 4, 4}, {0, 4, 4}}};
 inline const std::vector<Layouts> kPrimvars = {{{1, 2, 3}, {3, 2, 2}}, {{0, 1, 1}, {0, 1, 2}}, {{2, 4, 5}, {1, 4, 4}},
                                                {{0, 3, 3}, {1, 3, 3}}, {{0, 3, 3}, {3, 3, 3}}, {{0, 3, 3}, {6, 3, 3}},
-                                               {{3, 3, 3}, {0, 3, 3}}, {{2, 3, 3}, {0, 3, 3}}, {{0, 7, 7}, {4, 7, 8}}};
+                                               {{3, 3, 3}, {0, 3, 3}}, {{2, 3, 3}, {0, 3, 3}}, {{4, 4, 4}, {4, 4, 4}},
+                                               {{2, 4, 4}, {8, 4, 4}}, {{0, 7, 7}, {4, 7, 8}}};
 
 /// Normals: packed, padded behind an offset.
 inline const std::vector<BufferDescriptor> kNormals = {{0, 3, 3}, {1, 3, 4}};
