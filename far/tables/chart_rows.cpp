@@ -83,6 +83,46 @@ const Charts::Round& ChartRows::beyond(std::int32_t chart) const {
   return place.first->second;
 }
 
+/// Each of the parts that meet in one vertex has this, and few faces therefore.
+const Charts::Round& ChartRows::justBeyond(std::int32_t chart) const {
+  const std::scoped_lock lock(lock_);
+  const auto place = justBeyond_.try_emplace(chart);
+  if (place.second) place.first->second = charts_.walkRound(cornersBeyond(chart), Charts::kFewFaces);
+  return place.first->second;
+}
+
+const Charts::Round& ChartRows::around(std::int32_t p) const {
+  const std::scoped_lock lock(lock_);
+  const auto place = around_.try_emplace(p);
+  if (place.second) {
+    const std::int32_t h = old_.outgoing(p);
+    place.first->second = charts_.walkRound({&h, 1});
+  }
+  return place.first->second;
+}
+
+Charts::Place ChartRows::findFace(std::int32_t face, const Pivots& pivots) const {
+  const Charts::Place place = charts_.findFace(face, pivots.corners, pivots.further);
+  return place.face >= 0 ? place : charts_.findOver(pivots.corners, beyond(face)).place;
+}
+
+/// Of the copies that a vertex has along a crease the first stands for all; another, or the part of a face in which the
+/// pivots are, may have to be crossed for it.
+Charts::Place ChartRows::findVertex(std::int32_t p, const Pivots& pivots) const {
+  const Charts::Place place = charts_.findVertex(p, pivots.corners, pivots.further);
+  if (place.face >= 0) return place;
+  Charts::Walk best = charts_.findOver(pivots.corners, around(p));
+  best.place.corner = old_.outgoing(p);
+  if (best.place.face >= 0) return best.place;
+  for (const std::int32_t h : old_.halfEdgesFrom(p)) {
+    const Charts::Walk way = charts_.findOver(pivots.corners, justBeyond(old_.face(h)));
+    if (way.place.face < 0 || !way.betterThan(best)) continue;
+    best = way;
+    best.place.corner = h;
+  }
+  return best.place;
+}
+
 /// Adds weight times a source point; false when it can't be seen from the chart.
 bool ChartRows::addSource(std::int32_t p, double weight, std::int32_t chart, const Pivots& pivots,
                           Charts::ChartRow& row) const {
@@ -92,7 +132,7 @@ bool ChartRows::addSource(std::int32_t p, double weight, std::int32_t chart, con
   if (place.corner >= 0) {
     place.face = chart;
   } else {
-    place = charts_.findVertex(p, pivots.corners, pivots.further);
+    place = findVertex(p, pivots);
   }
   return charts_.add(place, weight, row);
 }

@@ -61,9 +61,8 @@ class ChartRows {
     bool beyond = false;  ///< other parts of the face may be seen, over the cuts that close
   };
   Pivots pivotsOf(std::int32_t point, const ChartCell& cell) const;
-  Charts::Place findFace(std::int32_t face, const Pivots& pivots) const {
-    return charts_.findFace(face, pivots.corners, pivots.further);
-  }
+  /// Of a face that grew together from parts the first stands for all; another part may have to be crossed for it.
+  Charts::Place findFace(std::int32_t face, const Pivots& pivots) const;
   /// Point `point` in the chart of a cell, point by point of its stencil. Entries from sourceCount on are sums, as
   /// ReplacedRow has them.
   Row rowIn(std::int32_t point, const ChartCell& cell) const;
@@ -90,6 +89,9 @@ class ChartRows {
   std::int32_t centralFace(std::int32_t point) const;
   std::vector<std::int32_t> cornersBeyond(std::int32_t chart) const;
   const Charts::Round& beyond(std::int32_t chart) const;
+  const Charts::Round& justBeyond(std::int32_t chart) const;
+  const Charts::Round& around(std::int32_t p) const;
+  Charts::Place findVertex(std::int32_t p, const Pivots& pivots) const;
   const Seen& seen(const LevelRows::Sum& sum, std::int32_t chart) const;
   Seen see(const LevelRows::Sum& sum, std::int32_t chart, const Charts::Round& round) const;
   std::int32_t heaviest(std::int32_t point, const Pivots& pivots) const;
@@ -107,8 +109,10 @@ class ChartRows {
   ChartSums sums_;
   std::vector<std::int32_t> faceOfInput_;
   std::int32_t sourceCount_;
-  mutable std::mutex lock_;  // of what is found when it is asked for, by whichever thread
-  mutable std::map<std::int32_t, Charts::Round> beyond_;
+  mutable std::mutex lock_;                               // of what is found when it is asked for, by whichever thread
+  mutable std::map<std::int32_t, Charts::Round> beyond_;  // by face
+  mutable std::map<std::int32_t, Charts::Round> justBeyond_;                           // by face
+  mutable std::map<std::int32_t, Charts::Round> around_;                               // by vertex
   mutable std::map<std::tuple<std::int32_t, std::int32_t, std::int32_t>, Seen> seen_;  // by face, projection, chart
 };
 

@@ -25,6 +25,21 @@ std::int32_t firstPivot(const Charts::Round& round) {
   return round.pivots.front();
 }
 
+/// On from where `way` has come to, to the face that `back` has come there from.
+Charts::Walk over(const Charts::Walk& way, const Charts::Walk& back) {
+  Charts::Walk whole = way;
+  whole.seams += back.seams;
+  whole.steps += back.steps;
+  whole.place.plain = way.place.plain && back.place.plain;
+  const auto [factor, shift] = back.place.toChart;
+  const std::complex<double> inverse = whole.place.toChart[0] / factor;
+  whole.place.toChart[1] -= inverse * shift;
+  whole.place.toChart[0] = inverse;
+  whole.place.continued = (way.place.plain || way.place.continued) && (back.place.plain || back.place.continued) &&
+                          std::isfinite(inverse.real()) && std::isfinite(inverse.imag());
+  return whole;
+}
+
 double cross(std::complex<double> a, std::complex<double> b) {
   return a.real() * b.imag() - a.imag() * b.real();
 }
@@ -203,6 +218,21 @@ Charts::Place Charts::findFace(std::int32_t face, std::span<const std::int32_t> 
   return search(pivots, further, remembered, found).place;
 }
 
+Charts::Walk Charts::findOver(std::span<const std::int32_t> pivots, const Round& round) const {
+  if (pivots.empty()) return {};
+  std::vector<Walk> ways = walkRound(pivots).ways;
+  ways.emplace_back().place.face = topology_.face(pivots.front());
+  Walk best;
+  for (const Walk& way : ways) {
+    const Walk* back = round.to(way.place.face);
+    if (back == nullptr) continue;
+    const Walk whole = over(way, *back);
+    if (whole.betterThan(best)) best = whole;
+  }
+  if (best.place.face >= 0) best.place.face = topology_.face(firstPivot(round));
+  return best;
+}
+
 Charts::Place Charts::findVertex(std::int32_t v, std::span<const std::int32_t> pivots, const Round* further) const {
   const auto remembered = [&](const Round& round) {
     Walk best;
@@ -239,11 +269,11 @@ const Charts::Round* Charts::roundFrom(std::int32_t pivot) const {
   return round == rounds_.end() || firstPivot(*round) != pivot ? nullptr : &*round;
 }
 
-Charts::Round Charts::walkRound(std::span<const std::int32_t> pivots) const {
+Charts::Round Charts::walkRound(std::span<const std::int32_t> pivots, std::int32_t most) const {
   Round round{{pivots.begin(), pivots.end()}, {}};
   for (std::size_t i = 0; i < 2 * pivots.size(); ++i) {
     Walk walk{pivots[i / 2], static_cast<std::int32_t>(i), pivots[i / 2], 0, 0, {}};
-    while (step(walk)) {
+    while (walk.steps < most && step(walk)) {
       round.ways.push_back(walk);
       round.ways.back().place.face = topology_.face(walk.h);
     }

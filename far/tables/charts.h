@@ -3,6 +3,7 @@
 #include <array>
 #include <complex>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -66,9 +67,10 @@ class Charts {
     /// nullptr: the face isn't among them.
     const Walk* to(std::int32_t face) const;
   };
-  /// Walks round the vertices that `pivots`, ascending half-edges of one face, leave. Linear in their valences, and
-  /// a logarithm.
-  Round walkRound(std::span<const std::int32_t> pivots) const;
+  /// Walks round the vertices that `pivots`, ascending half-edges of one face, leave, each way over at most so many
+  /// edges. Linear in these, at most in the valences, and a logarithm.
+  Round walkRound(std::span<const std::int32_t> pivots,
+                  std::int32_t most = std::numeric_limits<std::int32_t>::max()) const;
   /// Corners of a face, or vertices, of more than this many others are better looked for in a Round.
   static constexpr std::int32_t kFewFaces = 16;
 
@@ -77,6 +79,10 @@ class Charts {
   /// edges; where others may cross fewer seams, as far as these go. Round a vertex of many faces from its outgoing()
   /// logarithmic: those walks are remembered. `further`: round more corners of the face, which come last.
   Place findFace(std::int32_t face, std::span<const std::int32_t> pivots, const Round* further = nullptr) const;
+  /// The face of the corners that `round` was walked from, seen from the chart of the face of `pivots`, where it isn't
+  /// met round these: over a face that both meet, or the chart's own, by the way that is best as a whole. Linear in the
+  /// valences at the pivots, and a logarithm each.
+  Walk findOver(std::span<const std::int32_t> pivots, const Round& round) const;
   /// The nearest face that has vertex v, in the same way; where a walk is remembered, linear in v's valence too, if
   /// that is small.
   Place findVertex(std::int32_t v, std::span<const std::int32_t> pivots, const Round* further = nullptr) const;

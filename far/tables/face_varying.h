@@ -40,9 +40,9 @@ struct FaceVaryingLevel {
 ///   - What reads all corners of a face of more than kLargestCirculant sides is carried over as that face's own point,
 ///   and clamped as a whole: rows beside such a face have few entries. Where parts of a face grow together, so is what
 ///   is read of each part.
-///   - Where a crease on or beside a seam grows together, the few points that can't be seen from a chart over one
-///   vertex
-///     take its value there too.
+///   - Where a crease grew together, what isn't met round the vertex is looked for over one more face: its part of the
+///   face that grew together, from which the crease is crossed. The few points that can't be seen so either take the
+///   chart's value at the vertex.
 /// The continued points are points of the chart's plane and are written as weights on three corners of the chart's
 /// face, which is why a table depends on the values it was built for, and why its rows sum to 1 like all others.
 /// Without a seam the tables are those of the refinement: the same bits as a primvar of the vertices.

@@ -35,6 +35,7 @@ class TurnedWheel {
   TurnedWheel& operator=(const TurnedWheel&) = delete;
 
   const Far::Topology& topology() const { return topology_; }
+  const std::vector<Vec3>& points() const { return mesh_.points; }
   Charts charts() const { return {topology_, corners_, values_, 2, -1, true}; }
   static Complex inChartOf(std::int32_t face, Complex z) {
     return std::polar(1.0 + 0.2 * (face % 3), 1.0 * (face % 5)) * z + Complex(face % 7, face % 4);
@@ -87,6 +88,30 @@ TEST(Charts, GoOnRoundAVertexOfFewFacesAndOfMany) {
 TEST(Charts, WalkRoundAVertexOfManyFacesOnce) {
   EXPECT_GT(TurnedWheel(16).expectEachFound(), 0);
   EXPECT_EQ(TurnedWheel(100).expectEachFound(), 0) << "edges walked over again";
+}
+
+TEST(Charts, SeeAFaceThatIsNotMetRoundTheirCornersOverOneThatIs) {
+  const TurnedWheel wheel(40);
+  const Charts charts = wheel.charts();
+  const Far::Topology& t = wheel.topology();
+  const std::array<std::int32_t, 1> atHub{t.outgoing(wheel.hub())};
+  const std::int32_t first = t.face(atHub[0]);
+  std::int32_t seen = 0;
+  for (const std::int32_t spoke : t.halfEdgesFrom(wheel.hub())) {
+    const std::array<std::int32_t, 1> atRim{t.next(spoke)};  // two faces, perhaps not the first
+    const std::int32_t from = t.face(spoke);
+    if (from == first || charts.findFace(first, atRim).face >= 0) continue;
+    const Charts::Walk way = charts.findOver(atRim, charts.walkRound(atHub));
+    ASSERT_EQ(way.place.face, first);
+    ASSERT_TRUE(way.place.continued);
+    EXPECT_FALSE(way.place.plain);
+    for (const std::int32_t h : t.halfEdgesOf(first)) {
+      const Complex here = way.place.toChart[0] * charts.value(h) + way.place.toChart[1];
+      EXPECT_LT(std::abs(here - TurnedWheel::inChartOf(from, flat(at(wheel.points(), t.vert(h))))), 1e-9);
+    }
+    ++seen;
+  }
+  EXPECT_EQ(seen, 38);
 }
 
 /// Edges that are walked over from each face round the hub to the next, in both directions.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "far/schemes/akleman.h"
+#include "far/schemes/zhang_wang.h"
 #include "tests/far/channel.h"
 #include "tests/support/creased.h"
 #include "tests/support/shapes.h"
@@ -133,6 +134,36 @@ TEST(FaceVarying, LargeVerticesInWhichACreaseEndsGoOnInAChartThatIsTurned) {
     SCOPED_TRACE(sharpness);
     const Far::Refinement refinement = refinedBy(creased(mesh, {{0, 1, sharpness}}), aklemanSteps(2));
     ASSERT_NO_FATAL_FAILURE(expectGoesOnInATurnedChart(refinement, mesh, 3, 30));
+  }
+}
+
+/// A crease from rim to rim of a wheel and of a bipyramid, and one that ends at its apex.
+std::vector<CreasedMesh> creasesThroughAVertex(std::size_t n, double sharpness) {
+  const auto far = static_cast<std::int32_t>(1 + n / 2);
+  std::vector<CreasedMesh> meshes;
+  for (const PolyMesh& mesh : {wheel(n), bipyramid(n)}) {
+    const std::string sides = std::to_string(n) + " sides, " + std::to_string(mesh.faces.size()) + " faces";
+    meshes.push_back({"through, " + sides, mesh, {{1, 0, sharpness}, {0, far, sharpness}}});
+    meshes.push_back({"into, " + sides, mesh, {{1, 0, sharpness}}});
+  }
+  return meshes;
+}
+
+/// What grows together behind them is seen over another part of it. Few sides are read point by point, many by sums.
+TEST(FaceVarying, WhatGrewTogetherThroughAVertexGoesOnInAChartThatIsTurned) {
+  for (const std::size_t n : {8U, 64U, 70U}) {
+    for (const double sharpness : {1.0, 1.5}) {
+      for (const CreasedMesh& c : creasesThroughAVertex(n, sharpness)) {
+        SCOPED_TRACE(c.name + ", sharpness " + std::to_string(sharpness));
+        const Far::Topology control = creased(c.mesh, c.creases);
+        Far::ZhangWangOptions options;
+        options.boundary = Far::BoundaryRule::brick;
+        options.unchecked = true;
+        for (const auto& chain : {aklemanSteps(3), *Far::zhangWang(control, 3, options)}) {
+          ASSERT_NO_FATAL_FAILURE(expectGoesOnInATurnedChart(refinedBy(control, chain), c.mesh, 3, n / 3));
+        }
+      }
+    }
   }
 }
 
