@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "apps/cli/chain.h"
 #include "apps/cli/console.h"
 #include "far/base/index.h"
@@ -14,23 +12,10 @@
 namespace honeycomb::Cli {
 namespace {
 
-/// Puts the rows of `more` behind those of a table of loose rows over the same points.
-void append(Far::LevelTable& table, const Far::LevelTable& more) {
-  const auto entries = static_cast<std::int32_t>(table.indices.size());
-  for (const std::int32_t output : more.loose.outputs) table.loose.outputs.push_back(table.targetCount + output);
-  for (std::size_t r = 1; r < more.loose.offsets.size(); ++r)
-    table.loose.offsets.push_back(entries + more.loose.offsets[r]);
-  table.indices.edit().append(more.indices.begin(), more.indices.end());
-  table.weights.append(more.weights.begin(), more.weights.end());
-  table.weightsSingle.append(more.weightsSingle.begin(), more.weightsSingle.end());
-  table.targetCount += more.targetCount;
-}
-
 /// Samples share the vertices of patches: K^2/2 a patch, and as many on edges as there are.
 Result<void> checkMemory(const Far::PatchTable& patches, std::int32_t pieces, std::int64_t memory) {
-  // Three tables of rows with 13 entries, as patches of hexagons have them, twice while they are put together; the
-  // triangles; x y z and the derivatives.
-  constexpr std::int64_t kRow = 13 * (4 + 4 + 8) + 8, kVertex = 2 * 3 * kRow + 9 * 8, kTriangle = 3 * 4 * 8;
+  // Three rows with 13 entries, as patches of hexagons have them; the triangles; x y z and the derivatives.
+  constexpr std::int64_t kRow = 13 * (4 + 4 + 8) + 8, kVertex = 3 * kRow + 9 * 8, kTriangle = 3 * 4 * 8;
   const std::int64_t triangles = std::int64_t{patches.patchCount()} * pieces * pieces;
   const std::int64_t bytes = triangles * kTriangle + (triangles / 2 + patches.patchCount()) * kVertex;
   if (bytes <= memory) return {};
@@ -43,18 +28,10 @@ Result<void> checkMemory(const Far::PatchTable& patches, std::int32_t pieces, st
 
 Result<Far::LevelTable> makeTable(const Far::PatchTable& patches, const Far::Tessellation& tessellation,
                                   Normals normals) {
+  if (normals != Normals::none) return patches.limitFrames(tessellation.samples);
   Result<Far::LimitStencils> stencils = patches.limitStencils(tessellation.samples);
   if (!stencils) return tl::unexpected(stencils.error());
-  Far::LevelTable table = std::move(stencils->positions);
-  if (normals == Normals::none) return table;
-  const std::size_t entries = table.indices.size() + stencils->du.indices.size() + stencils->dv.indices.size();
-  if (entries > at(std::numeric_limits<std::int32_t>::max()))
-    return fail(ErrorCode::tooLarge,
-                "the stencils of the normals have more than 2^31 - 1 weights; use a lower "
-                "--tessellate, or --normals none");
-  append(table, stencils->du);
-  append(table, stencils->dv);
-  return table;
+  return std::move(stencils->positions);
 }
 
 /// The triangles, which come patch by patch, as faces made from the vertices whose patches they cut.

@@ -30,7 +30,8 @@ struct PatchPoint {
   bool extraordinaryCorner = false;
 };
 
-/// Samples as rows over the control points: tables with loose rows only, that every evaluator applies.
+/// Samples as rows over the control points, that every evaluator applies: loose rows, and summed ones next to faces of
+/// more than kLargestCirculant sides, so that N samples there take O(N).
 struct LimitStencils {
   LevelTable positions;  ///< rows sum to 1
   LevelTable du, dv;     ///< rows sum to 0; the tangents T1, T2 at extraordinary corners
@@ -90,9 +91,11 @@ class PatchTable {
 
   /// Limit stencils of samples, in their order. The weights of samples with equal coordinates on patches with equal
   /// faces are computed once. Rows hold no zero weights; a control point that stands in several places of its patch is
-  /// repeated. Parallel. Errors: invalidOption for a sample that is nowhere (`element` is the sample), tooLarge past
-  /// 2^31 - 1 weights.
+  /// repeated. Parallel; linear in the samples and the sides of the large faces next to them. Errors: invalidOption
+  /// for a sample that is nowhere (`element` is the sample), tooLarge past 2^31 - 1 weights.
   Result<LimitStencils> limitStencils(std::span<const PatchSample> samples) const;
+  /// The same rows in one table: of S samples first all positions, then all du from output S on, then all dv.
+  Result<LevelTable> limitFrames(std::span<const PatchSample> samples) const;
 
   /// Every patch cut into `pieces` x `pieces` triangles, counter-clockwise like the mesh; applying
   /// limitStencils(samples).positions gives the vertices. Patches share the vertices on their edges and at their
@@ -105,6 +108,7 @@ class PatchTable {
  private:
   PatchTable(Topology topology, std::vector<std::int32_t> vertices, std::vector<std::int32_t> patches);
   Result<void> check(const PatchSample& sample) const;
+  Result<void> check(std::span<const PatchSample> samples) const;
 
   Topology topology_;
   std::vector<std::int32_t> vertices_;  // per patch

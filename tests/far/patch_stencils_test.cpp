@@ -202,29 +202,5 @@ TEST(PatchStencilErrors, NameTheSampleAndTheLimit) {
   }
 }
 
-TEST(LargeFaces, AreEvaluatedInLinearTimeAndCountedBeforeTheirStencils) {
-  constexpr std::size_t kManySides = 40000;
-  const PatchSurface surface(prism(kManySides));
-  const std::array<std::int32_t, 3> sides = surface.table.patch(7).sides();
-  Far::Barycentric inLargeFace{};
-  inLargeFace[static_cast<std::size_t>(std::max_element(sides.begin(), sides.end()) - sides.begin())] = 1;
-  const Vec3 capCentre{0, 0, surface.mesh.points[static_cast<std::size_t>(surface.table.vertex(7))][2]};
-  EXPECT_LT(distance(surface.at(7, inLargeFace).position, capCentre), 1e-12);
-  const std::vector<Far::PatchSample> one{{7, {0.3, 0.3, 0.4}}};
-  const auto stencils = surface.table.limitStencils(one);
-  ASSERT_TRUE(stencils.has_value());
-  const Vec3 limit = applyRows(expandRows(stencils->positions), surface.mesh.points)[0];
-  EXPECT_LT(distance(limit, surface.at(7, {0.3, 0.3, 0.4}).position), 1e-12);
-
-  const std::vector<Far::PatchSample> many(60000, one[0]);
-  const auto tooMany = surface.table.limitStencils(many);
-  ASSERT_FALSE(tooMany.has_value());
-  EXPECT_EQ(tooMany.error().code, ErrorCode::tooLarge);
-  EXPECT_EQ(
-      tooMany.error().message,
-      "the stencils of 60000 points of the surface hold 2400180000 weights, more than 2^31 - 1; take fewer points "
-      "at a time");
-}
-
 }  // namespace
 }  // namespace honeycomb::Test

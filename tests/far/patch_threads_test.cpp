@@ -28,11 +28,15 @@ void expectSame(const Far::LevelTable& a, const Far::LevelTable& b) {
   EXPECT_EQ(a.weightsSingle, b.weightsSingle);
   EXPECT_EQ(a.loose.outputs, b.loose.outputs);
   EXPECT_EQ(a.loose.offsets, b.loose.offsets);
+  EXPECT_EQ(a.summed.rows.outputs, b.summed.rows.outputs);
+  EXPECT_EQ(a.summed.rows.offsets, b.summed.rows.offsets);
+  EXPECT_EQ(a.summed.shareOffsets, b.summed.shareOffsets);
+  EXPECT_EQ(a.summed.faces, b.summed.faces);
 }
 
 TEST(PatchThreads, OneAndTwoBuildTheSameArrays) {
-  PolyMesh mesh = prism(12);
-  for (int k = 0; k < 4; ++k) mesh = HalfBoxStep(mesh).mesh();
+  PolyMesh mesh = prism(70);
+  for (int k = 0; k < 3; ++k) mesh = HalfBoxStep(mesh).mesh();
   const auto build = [&mesh](int threads) {
     const Parallel::ThreadLimit limit(threads);
     return PatchArrays(mesh);
@@ -40,6 +44,7 @@ TEST(PatchThreads, OneAndTwoBuildTheSameArrays) {
   const PatchArrays one = build(1);
   const PatchArrays two = build(2);
   ASSERT_GT(one.surface.table.patchCount(), Parallel::kGrain);
+  ASSERT_GT(one.stencils.positions.summed.rowCount(), 0);
   for (std::int32_t p = 0; p < one.surface.table.patchCount(); ++p) {
     ASSERT_EQ(one.surface.table.vertex(p), two.surface.table.vertex(p));
   }

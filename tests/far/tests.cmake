@@ -28,6 +28,7 @@ set(honeycomb_far_tests
   natural_configuration_test.cpp
   options_test.cpp
   pair_triangles_test.cpp
+  patch_large_faces_test.cpp
   patch_stencils_test.cpp
   patch_table_test.cpp
   reference_test.cpp

@@ -12,6 +12,7 @@ class Expansion {
     for (const Far::CirculantBatch& batch : table_.circulants) circulant(batch);
     for (const Far::ProjectedFace& face : table_.projected) projected(face);
     for (const Far::DenseRows& batch : table_.dense) dense(batch);
+    summed();
     loose();
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       if (written_[r] != 1) rows_[r].clear();
@@ -71,6 +72,22 @@ class Expansion {
       StencilRow& row = open(at(rows.outputs, r));
       for (std::int32_t b = at(rows.offsets, r); b < at(rows.offsets, r + 1); ++b) {
         row[source(rows.firstIndex + b)] += weight(rows.firstWeight + b);
+      }
+    }
+  }
+
+  void summed() {
+    const Far::SummedRows& s = table_.summed;
+    for (std::int32_t r = 0; r < s.rowCount(); ++r) {
+      StencilRow& row = open(at(s.rows.outputs, r));
+      for (std::int32_t b = at(s.rows.offsets, r); b < at(s.rows.offsets, r + 1); ++b) {
+        row[source(s.rows.firstIndex + b)] += weight(s.rows.firstWeight + b);
+      }
+      for (std::int32_t t = at(s.shareOffsets, r); t < at(s.shareOffsets, r + 1); ++t) {
+        const Far::ProjectedFace& f = at(table_.projected, at(s.faces, t));
+        for (std::int32_t j = 0; j < f.corners; ++j) {
+          row[source(f.firstIndex + j)] += weight(s.firstShare + t) * weight(f.firstWeight + 2 + j);
+        }
       }
     }
   }
