@@ -65,6 +65,31 @@ void addMirrorPoint(const ClampedFace& face, std::int32_t i, double weight, Row&
   if (c < 0) row.insert(row.end(), {{face.left(), beside}, {face.rightBefore(), beside}});
 }
 
+/// The angle of q_i from the line through J along the boundary, in a side with m inside vertices.
+double sideAngle(std::int32_t i, std::int32_t m) {
+  return std::numbers::pi * (2 * i + 1) / (2 * m);
+}
+
+/// As addMirroredRow, of a large side. With t = sideAngle and the sum S of sin t_j q_j, which is in place `sum`, the
+/// weights on q_j are here [i=j] + 2 cosine sin t_i sin t_j, and that on pi_j 2 (mean + cosine cos(t_i + t_j)).
+void addLargeMirroredRow(const ClampedFace& face, std::int32_t i, std::int32_t sum, Row& row) {
+  const std::int32_t m = face.insideCount();
+  const CirculantRule rule = halfBoxRule(2 * m);
+  const double c = std::cos(sideAngle(i, m));
+  const double s = std::sin(sideAngle(i, m));
+  const ClampedMirrorSums mirrored = clampedMirrorSums(m);
+  const double sines = 1 / std::sin(std::numbers::pi / (2 * m));
+  const auto onBoundary = [&](double plain, double cosine, double sine) {
+    return 2 * (rule.mean * plain + rule.cosine * (c * cosine - s * sine));
+  };
+  const double right = onBoundary(mirrored.plain, mirrored.cosine, mirrored.sine) / 2;
+  const double left = onBoundary(mirrored.plain, -mirrored.cosine, mirrored.sine) / 2;
+  row.insert(row.end(), {{face.inside(i), rule.here}, {sum, 2 * rule.cosine * s}});
+  addJoint(face, onBoundary(m - 2 * mirrored.plain, 0, sines - 2 * mirrored.sine), row);
+  row.insert(row.end(),
+             {{face.right(), right}, {face.leftAfter(), right}, {face.left(), left}, {face.rightBefore(), left}});
+}
+
 void addMirroredRow(const ClampedFace& face, std::int32_t i, Row& row) {
   const std::int32_t m = face.insideCount();
   const std::vector<double> weights = firstRow(halfBoxRule(2 * m), 2 * m);
@@ -96,6 +121,20 @@ void addConvexCornerRow(const ClampedFace& face, std::int32_t i, Row& row) {
   }
   for (std::int32_t j = 0; j < m; ++j) row.push_back({face.inside(j), inside[at(j)]});
   row.push_back({face.joint(), joint});
+}
+
+/// As addConvexCornerRow, of a large corner: the sum of its inside vertices, and behind it their cosine and sine sums.
+void addLargeConvexCornerRow(const ClampedFace& face, std::int32_t i, std::int32_t firstSum, Row& row) {
+  const std::int32_t m = face.insideCount();
+  const std::int32_t sides = clampedCornerPolygon(m);
+  const CirculantRule rule = halfBoxRule(sides);
+  const double phi = 2 * std::numbers::pi / sides;
+  row.insert(row.end(),
+             {{face.inside(i), rule.here},
+              {firstSum, rule.mean},
+              {firstSum + 1, rule.cosine * std::cos(i * phi)},
+              {firstSum + 2, rule.cosine * std::sin(i * phi)},
+              {face.joint(), 2 * rule.mean + rule.cosine * (std::cos((m - i) * phi) + std::cos((m + 1 - i) * phi))}});
 }
 
 /// In the plane, with R at the angle 0 and L at m phi from J, q_i lies at (i + 1/2) phi, at 3/(2 cos(phi/2)) times
@@ -139,10 +178,41 @@ void addInsideVertexRow(const Topology& topology, std::int32_t first, const Tune
   for (const std::int32_t h : around) row.push_back({topology.dest(h), 1.0 / (3 + gaps)});
 }
 
+/// The sum over the inside vertices of a face of weightOf(place).
+template <class WeightOf>
+Row insideSum(const ClampedFace& face, const WeightOf& weightOf) {
+  Row sum;
+  for (std::int32_t i = 0; i < face.insideCount(); ++i) sum.push_back({face.inside(i), weightOf(i)});
+  return sum;
+}
+
+std::vector<Row> clampedFaceSums(const Topology& topology, std::int32_t f, HalfBoxCorners corners) {
+  if (topology.run(f).kind != FaceKind::clampedSide && topology.run(f).kind != FaceKind::clampedCorner) return {};
+  const ClampedFace face(topology, f);
+  const std::int32_t m = face.insideCount();
+  if (!face.isCorner()) return {insideSum(face, [m](std::int32_t i) { return std::sin(sideAngle(i, m)); })};
+  if (corners == HalfBoxCorners::smooth) return {};
+  const double phi = 2 * std::numbers::pi / clampedCornerPolygon(m);
+  return {insideSum(face, [](std::int32_t) { return 1.0; }),
+          insideSum(face, [phi](std::int32_t i) { return std::cos(i * phi); }),
+          insideSum(face, [phi](std::int32_t i) { return std::sin(i * phi); })};
+}
+
+/// A point of a large face, of which there are sums.
+void addLargeFaceRow(const ClampedFace& face, const NewPoint& point, std::int32_t firstSum, Row& row) {
+  const std::int32_t i = face.place(point.halfEdge);
+  face.isCorner() ? addLargeConvexCornerRow(face, i, firstSum, row) : addLargeMirroredRow(face, i, firstSum, row);
+  mergeEntries(row);
+}
+
 void addClampedRow(const SourceLevel& parent, const NewPoint& point, const TunedWeights& tuned, HalfBoxCorners corners,
                    Row& row) {
   const Topology& topology = parent.topology();
   const auto face = [&] { return ClampedFace(topology, topology.face(point.halfEdge)); };
+  if (point.kind == PointKind::halfFaceCorner || point.kind == PointKind::cornerFaceCorner) {
+    const std::int32_t sum = parent.sumPoint(topology.face(point.halfEdge));
+    if (sum >= 0) return addLargeFaceRow(face(), point, sum, row);
+  }
   switch (point.kind) {
     case PointKind::cutStart:
     case PointKind::cutEnd:
@@ -183,6 +253,7 @@ Scheme clampedHalfBoxStep(const TunedWeights& tuned, HalfBoxCorners corners) {
   scheme.vertexLimits = VertexLimits::patchCentre;
   scheme.entriesPerVertex = 2;
   scheme.smoothCorners = corners == HalfBoxCorners::smooth;
+  scheme.faceSums = [corners](const Topology& parent, std::int32_t f) { return clampedFaceSums(parent, f, corners); };
   scheme.pointRow = [tuned, corners](const SourceLevel& parent, const NewPoint& point, Row& row) {
     addClampedRow(parent, point, tuned, corners, row);
   };

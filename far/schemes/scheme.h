@@ -60,6 +60,9 @@ struct Scheme {
   /// Stencil of the corner points of whole faces with that many sides; of splits that have corner points.
   std::function<CirculantRule(std::int32_t sides)> faceRule;
   HalfFaces halfFaces = HalfFaces::mirrored;
+  /// What the rows of ownRows read of a face of the parent of more than kLargestCirculant sides in place of all its
+  /// corners: sums, whose numbers follow SourceLevel::sumPoint(f); none: they read few corners.
+  std::function<std::vector<Row>(const Topology& parent, std::int32_t f)> faceSums;
   /// Appends the stencil of a new point that is not a corner point of a whole face.
   std::function<void(const SourceLevel& parent, const NewPoint& point, Row& row)> pointRow;
   /// Appends the stencil of the central control vertex of face f of the child; of schemes with centralPoints.

@@ -37,8 +37,8 @@ class SourceLevel {
     return topology_.vertexCount() + (central_ == CentralPoints::byInputFace ? topology_.inputFace(f) : f);
   }
 
-  /// The number under which rows read the sum of all vertices of large face f, as a point behind all others; -1: of
-  /// this face there is none. Numbers of sums count from pointCount().
+  /// The number under which rows read the sum of all vertices of large face f, or the first of its Scheme::faceSums, as
+  /// a point behind all others; -1: of this face there is none. Numbers of sums count from pointCount().
   std::int32_t sumPoint(std::int32_t f) const {
     return sums_.empty() || sums_[static_cast<std::size_t>(f)] < 0 ? -1
                                                                    : pointCount() + sums_[static_cast<std::size_t>(f)];

@@ -8,6 +8,7 @@
 #include "far/base/index.h"
 #include "far/schemes/half_box_rows.h"
 #include "far/tables/half_box_patch.h"
+#include "far/tables/level_table.h"
 #include "far/topology/clamped_face.h"
 
 namespace honeycomb::Far {
@@ -47,10 +48,20 @@ double insideAngle(std::int32_t i, std::int32_t m) {
   return std::numbers::pi * (2 * i + 1) / (2 * m);
 }
 
+/// curveWeight() of a large side, its two sums in closed form: those of sin(theta_i) (row[j-i] + row[2m-1-j-i]) over i
+/// are here sin(theta_j) + 2 mean sum_i sin(theta_i), since the cosines cancel.
+double largeCurveWeight(std::int32_t m) {
+  const CirculantRule rule = halfBoxRule(2 * m);
+  const ClampedMirrorSums mirrored = clampedMirrorSums(m);
+  const double sines = 1 / std::sin(std::numbers::pi / (2 * m));
+  return 2 * ((rule.here - 0.5) * mirrored.sine + 2 * rule.mean * sines * mirrored.plain);
+}
+
 /// x of a side with m inside vertices. S1 takes T2 without its x term to half of itself and kappa (h_R - J + h_L - J)
 /// more, where kappa collects what the points of the boundary pi_i put in, h_R being the middle of R and L_g; as R - J
 /// and L - J cancel and the step makes L_g - J a quarter, x = 2 kappa makes the whole a half.
 double curveWeight(std::int32_t m) {
+  if (2 * m > kLargestCirculant) return largeCurveWeight(m);
   const std::vector<double> row = firstRow(halfBoxRule(2 * m), 2 * m);
   double kappa = 0;
   for (std::int32_t j = 0; j < m; ++j) {

@@ -30,7 +30,12 @@ struct Projections {
 class Builder {
  public:
   Builder(const SourceLevel& source, const SplitResult& split, const Scheme& scheme)
-      : source_(source), parent_(source.topology()), split_(split), scheme_(scheme), rows_(table_) {
+      : source_(source),
+        parent_(source.topology()),
+        split_(split),
+        scheme_(scheme),
+        rows_(table_),
+        summedRows_(table_) {
     table_.sourceCount = source.pointCount();
     table_.targetCount = split.topology.vertexCount() + (scheme.centralPoints ? split.topology.faceCount() : 0);
   }
@@ -45,8 +50,10 @@ class Builder {
       // The corner points are the first half-edges of the level: those of its whole face-faces.
       if (run.firstHalfEdge < split_.cornerPoints) addFaces(run);
     }
+    if (scheme_.faceSums) addOwnSums();
     addOtherPoints();
     if (scheme_.centralPoints) addCentralPoints();
+    if (scheme_.centralPoints || table_.summed.rowCount() > 0) summedRows_.finish();
     rows_.finish();
     table_.weightsSingle.assign(table_.weights.begin(), table_.weights.end());
     return std::move(table_);
@@ -125,7 +132,6 @@ class Builder {
 
   void addCentralPoints() {
     source_.nameSums(largeFaces());
-    SummedRowWriter summedRows(table_);
     const std::vector<Segment> segments = centralSegments();
     for (std::size_t i = 0; i < segments.size(); ++i) {
       const std::int32_t first = segments[i].firstFace;
@@ -134,9 +140,8 @@ class Builder {
       const auto makeRow = [&](std::int64_t k, Row& row) {
         scheme_.centralRow(source_, split_, first + static_cast<std::int32_t>(k), row);
       };
-      segments[i].summed ? summedRows.add(output, end - first, makeRow) : rows_.add(output, end - first, makeRow);
+      segments[i].summed ? summedRows_.add(output, end - first, makeRow) : rows_.add(output, end - first, makeRow);
     }
-    summedRows.finish();
   }
 
   /// Per face of the parent its number among the table's projected faces, -1 for others; empty if there are none. Those
@@ -232,6 +237,36 @@ class Builder {
     return firstWeight;
   }
 
+  /// The sums that the scheme's own rows read of large faces of the parent.
+  void addOwnSums() {
+    std::vector<std::int32_t> numbers;
+    for (const FaceRun& run : parent_.runs()) {
+      if (run.sides <= kLargestCirculant) continue;
+      for (std::int32_t f = run.firstFace; f < run.firstFace + run.faceCount; ++f) {
+        const std::vector<Row> sums = scheme_.faceSums(parent_, f);
+        if (sums.empty()) continue;
+        numbers.resize(at(parent_.faceCount()), -1);
+        numbers[at(f)] = static_cast<std::int32_t>(table_.projected.size());
+        for (const Row& sum : sums) addSum(sum);
+      }
+    }
+    source_.nameSums(std::move(numbers));
+  }
+
+  void addSum(const Row& sum) {
+    table_.projected.push_back({static_cast<std::int32_t>(sum.size()), 0, 0, indexCount(), 0, addWeights({0, 0})});
+    for (const Weight& entry : sum) {
+      table_.indices.edit().push_back(entry.point);
+      table_.weights.push_back(entry.weight);
+    }
+  }
+
+  /// Does the scheme's own row of a point read sums?
+  bool readsOwnSums(const NewPoint& point) const {
+    const bool ofFace = point.kind == PointKind::halfFaceCorner || point.kind == PointKind::cornerFaceCorner;
+    return ofFace && scheme_.faceSums && source_.sumPoint(parent_.face(point.halfEdge)) >= 0;
+  }
+
   /// Points that are not corner points of whole faces: mirrored half faces one by one, the rest row by row.
   void addOtherPoints() {
     const Array<NewPoint>& points = split_.otherPoints;
@@ -244,10 +279,12 @@ class Builder {
         i += at(addHalfFace(parent_.face(points[i].halfEdge), output));
         continue;
       }
+      const bool summed = readsOwnSums(points[i]);
       std::size_t end = i + 1;
-      while (end < points.size() && !mirrored(end)) ++end;
-      rows_.add(output, static_cast<std::int64_t>(end - i),
-                [&](std::int64_t k, Row& row) { scheme_.pointRow(source_, points[i + at(k)], row); });
+      while (end < points.size() && !mirrored(end) && readsOwnSums(points[end]) == summed) ++end;
+      const auto makeRow = [&](std::int64_t k, Row& row) { scheme_.pointRow(source_, points[i + at(k)], row); };
+      const auto count = static_cast<std::int64_t>(end - i);
+      summed ? summedRows_.add(output, count, makeRow) : rows_.add(output, count, makeRow);
       i = end;
     }
   }
@@ -293,6 +330,7 @@ class Builder {
   const Scheme& scheme_;
   LevelTable table_;
   RowWriter rows_;
+  SummedRowWriter summedRows_;
 };
 
 }  // namespace

@@ -56,6 +56,22 @@ inline double clampedMirrorCosine(std::int32_t i, std::int32_t m) {
   return std::cos(half * (2 * i + 1)) / std::cos(half);
 }
 
+/// Sums over the i with c = clampedMirrorCosine(i, m) > 0, in closed form; over those with c < 0, of -c, they are the
+/// same but for the sign of `cosine`. t = pi (2i+1)/(2m). m > 1.
+struct ClampedMirrorSums {
+  double plain = 0;   ///< of c
+  double cosine = 0;  ///< of c cos t
+  double sine = 0;    ///< of c sin t
+};
+inline ClampedMirrorSums clampedMirrorSums(std::int32_t m) {
+  const double step = std::numbers::pi / m;
+  const std::int32_t positive = m / 2;
+  const double sine = std::sin(positive * step);
+  const double scale = 1 / std::cos(step / 2);
+  return {sine / std::sin(step), scale * (positive / 2.0 + std::sin(2 * positive * step) / (4 * std::sin(step))),
+          scale * sine * sine / (2 * std::sin(step))};
+}
+
 /// A corner of 60 degrees an inside vertex, as in a honeycomb; the corners with more than five, which no honeycomb has,
 /// take the angles of a face with two sides more.
 inline std::int32_t clampedCornerPolygon(std::int32_t m) {

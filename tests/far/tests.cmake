@@ -19,6 +19,7 @@ set(honeycomb_far_tests
   golden_test.cpp
   half_box_clamped_limits_test.cpp
   half_box_clamped_test.cpp
+  half_box_large_clamped_test.cpp
   half_box_test.cpp
   inverse_dual_test.cpp
   large_faces_creases_test.cpp
