@@ -183,6 +183,7 @@ Result<void> TableFile::State::readTables(SectionReader& reader) {
     TileRecord counts;
     reader(TableArray::tileCounts, 0, counts);
     tiles.emplace();
+    if (counts.places == kFormerFours) return unsound("its tiles keep their points as earlier programs did");
     if (!setRecord(counts, *tiles)) return unsound("its tiles have counts of no tiles");
     visitArrays(*tiles, visit);
     // Files of before these were known.

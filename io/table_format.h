@@ -149,6 +149,9 @@ struct LimitRecord {
   std::int32_t source = 0, elements = 0;
 };
 
+/// TileRecord::places of files whose faces in fours have no point in front.
+constexpr std::int32_t kFormerFours = 1;
+
 /// Of TableArray::tileCounts: what a TileTable has beside its arrays.
 struct TileRecord {
   std::int32_t rootLevel = 0, lastLevel = 0, rootPoints = 0, largestTile = 0;

@@ -162,6 +162,16 @@ TEST(TableFaults, ARingReadsNoPointThatItsTileHasnt) {
   EXPECT_THAT(messageOf(bytes), HasSubstr("a normal is of a step that isn't there"));
 }
 
+TEST(TableFaults, PlacesOfBeforeAreNamed) {
+  Bytes bytes = smallTable();
+  const std::size_t places = placeOf(bytes, "tileCounts") + offsetof(TileRecord, places);
+  for (const auto& [value, message] : {std::pair(kFormerFours, "its tiles keep their points as earlier programs did"),
+                                       std::pair(3, "its tiles have counts of no tiles")}) {
+    std::memcpy(bytes.data() + places, &value, sizeof(value));
+    EXPECT_THAT(messageOf(bytes), HasSubstr(message));
+  }
+}
+
 TEST(TableFaults, OnlyFoursHavePairs) {
   Bytes bytes = smallTable();
   bytes[placeOf(bytes, "tileSteps") + offsetof(Far::TileStep, pairs)] = std::byte{1};
