@@ -29,26 +29,42 @@ std::int32_t pointsOf(const Refinement& refinement, std::int32_t k) {
   return k == 0 ? refinement.level(1).table.sourceCount : tableOf(refinement, k).targetCount;
 }
 
-/// The points that tiles keep together, their halos left aside: those of the levels from the root to before `end`.
-std::int64_t keptPoints(const Refinement& refinement, std::int32_t root, std::int32_t end) {
+/// What a table is cut for: the levels behind `root` up to `last`, whose points tiles write.
+struct TileCut {
+  const Refinement& refinement;
+  const TileOptions& options;
+  std::int32_t root = 0;
+  std::int32_t last = 0;
+};
+
+/// The room that tiles need together for the points they keep, their halos left aside. Nearly all faces become
+/// hexagons: in fours there is one point more for each six, and of the level behind the last, which exact normals read,
+/// those of about three faces of four, halos considered.
+std::int64_t keptPoints(const TileCut& cut) {
+  const bool exact = cut.options.normals == TileNormalKind::exact;
+  const bool fours = cut.options.places == TilePlaces::fours;
   std::int64_t points = 0;
-  for (std::int32_t k = root; k < end; ++k) points += pointsOf(refinement, k);
+  for (std::int32_t k = cut.root; k < cut.last; ++k) points += pointsOf(cut.refinement, k);
+  if (exact) {
+    const std::int64_t behind = pointsOf(cut.refinement, cut.last + 1);
+    points += pointsOf(cut.refinement, cut.last) + (fours ? behind * 3 / 4 : behind);
+  }
+  if (fours) points += points / 6;
   return std::max<std::int64_t>(1, points);
 }
 
-/// How many points of the level behind the root a tile may have for all its points to fit, those of levels before
-/// `end`.
-std::int64_t pointsPerTile(const Refinement& refinement, std::int32_t root, std::int32_t end, std::int64_t scratch) {
-  const std::int64_t first = pointsOf(refinement, root + 1);
-  return std::max<std::int64_t>(1, scratch * 100 / kHalo * first / keptPoints(refinement, root, end));
+/// How many points of the level behind the root a tile may have for all its points to fit.
+std::int64_t pointsPerTile(const TileCut& cut, std::int64_t scratch) {
+  const std::int64_t first = pointsOf(cut.refinement, cut.root + 1);
+  return std::max<std::int64_t>(1, scratch * 100 / kHalo * first / keptPoints(cut));
 }
 
 /// As many for all tiles, so that none is left over, and for as many tiles as are wanted.
-std::int64_t evenPointsPerTile(const Refinement& refinement, std::int32_t root, std::int32_t end, std::int64_t scratch,
-                               const TileOptions& options) {
-  const std::int64_t first = pointsOf(refinement, root + 1);
-  const std::int64_t most = pointsPerTile(refinement, root, end, scratch);
-  const std::int64_t sound = std::min(keptPoints(refinement, root, end) / kSmallTile, first / kFewestPoints);
+std::int64_t evenPointsPerTile(const TileCut& cut, std::int64_t scratch) {
+  const TileOptions& options = cut.options;
+  const std::int64_t first = pointsOf(cut.refinement, cut.root + 1);
+  const std::int64_t most = pointsPerTile(cut, scratch);
+  const std::int64_t sound = std::min(keptPoints(cut) / kSmallTile, first / kFewestPoints);
   const std::int64_t needed = std::max<std::int64_t>(1, (first + most - 1) / most);
   const std::int64_t wanted = std::max(needed, std::min<std::int64_t>(options.fewestTiles, sound));
   const std::int64_t rounds = (wanted + options.workers - 1) / options.workers;
@@ -57,11 +73,10 @@ std::int64_t evenPointsPerTile(const Refinement& refinement, std::int32_t root, 
   return (first + tiles - 1) / tiles;
 }
 
-/// The root level from which tiles of a sound size reach the last level, keeping points of levels before `end`.
-std::int32_t chooseRoot(const Refinement& refinement, std::int32_t last, std::int32_t end, std::int64_t scratch) {
-  std::int32_t root = 0;
-  while (root < last - 1 && pointsPerTile(refinement, root, end, scratch) < kFewestPoints) ++root;
-  return root;
+/// The root level from which tiles of a sound size reach the last level.
+std::int32_t chooseRoot(TileCut cut, std::int64_t scratch) {
+  while (cut.root < cut.last - 1 && pointsPerTile(cut, scratch) < kFewestPoints) ++cut.root;
+  return cut.root;
 }
 
 void copyWeights(const TileUnits& units, TileTable& table) {
@@ -147,16 +162,15 @@ Result<void> checkOptions(const Refinement& refinement, std::int32_t last, const
 Result<TileTable> buildTileTable(const Refinement& refinement, const TileOptions& options) {
   const std::int32_t last = options.level == 0 ? refinement.levelCount() : options.level;
   if (auto ok = checkOptions(refinement, last, options); !ok) return tl::unexpected(ok.error());
-  const std::int32_t read = lastRead(last, options);
-  const std::int32_t end = read > last ? read + 1 : last;  // points of levels before are kept
-  for (std::int64_t scratch = options.scratchPoints;; scratch /= 2) {
+  for (std::int64_t scratch = options.scratchPoints;; scratch = scratch * 3 / 4) {
     TileTable table;
     table.order = options.order;
     table.places = options.places;
     table.lastLevel = last;
     table.normalKind = options.normals;
-    table.rootLevel = chooseRoot(refinement, last, end, std::max<std::int64_t>(scratch, 1));
-    const std::int64_t size = evenPointsPerTile(refinement, table.rootLevel, end, scratch, options);
+    TileCut cut{refinement, options, 0, last};
+    cut.root = table.rootLevel = chooseRoot(cut, std::max<std::int64_t>(scratch, 1));
+    const std::int64_t size = evenPointsPerTile(cut, scratch);
     TilePlan plan(refinement, table.rootLevel, last,
                   static_cast<std::int32_t>(std::min<std::int64_t>(size, kMostTilePoints)), options);
     std::vector<TileParts> parts = assemble(plan);
