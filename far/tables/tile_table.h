@@ -90,8 +90,8 @@ struct TileStage {
 /// Faces (or rows) of a tile that are born at the same level and live equally long. A face evolves alone: its points
 /// at a level are one circulant matrix times its points at the level before, so it is gathered once, at birth, and
 /// its points at all later levels follow without reading anything.
-///     indices   count x sides (circulant) or count x width (dense) own points of the level before birth; see
-///     TileCorners loose     rows firstRow .. firstRow + count - 1, their entries one after the other from firstIndex
+///     indices   count x sides (circulant: TileCorners) or count x width (dense) own points of the level before birth
+///     loose     rows firstRow .. firstRow + count - 1, their entries one after the other from firstIndex
 struct TileStep {
   /// The batch whose arithmetic it has.
   enum class Kind : std::uint8_t { circulant, dense, loose };

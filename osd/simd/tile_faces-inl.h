@@ -135,7 +135,7 @@ HWY_INLINE std::int32_t evolve(D d, const StepFaces& faces, std::int32_t face, S
     loadCorners<N, kPairs>(d, own, index, p);
     if (crosses != nullptr) {
       float* const to = crosses + std::int64_t{kTileStride} * face;
-      if (N != 4 && N != 6 || faces.spanWeights != nullptr) {
+      if ((N != 4 && N != 6) || faces.spanWeights != nullptr) {
         hn::StoreU(crossOfSpans(d, faces.spanWeights, p, N), d, to);
       } else if constexpr (N == 4 || N == 6) {
         hn::StoreU(crossOfCorners<N>(d, p), d, to);

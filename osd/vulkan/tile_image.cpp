@@ -16,6 +16,9 @@ using Far::TileStep;
 
 constexpr TileWord kSharedImport = 0x80000000U;
 
+/// Of a tile in an image: its numbers are halves of words.
+constexpr TileWord kMostOwnPoints = 65536;
+
 }  // namespace
 
 Result<std::vector<TileImage>> TileImageBuilder::build(std::span<const std::int32_t> tiles) {
@@ -36,6 +39,7 @@ Result<void> TileImageBuilder::addWhole(const std::function<void()>& add) {
   const std::uint64_t casesBefore = image_.cases;
   const auto fits = [&] { return texels() + tiles_.size() / kTexelWords <= mostTexels_; };
   add();
+  if (largest_ > kMostOwnPoints) return fail(ErrorCode::tooLarge, "a tile keeps more points than can be told apart");
   if (fits()) return {};
   if (tilesBefore > 0) {
     image_.words.resize(std::size_t{begin} * kTexelWords);
