@@ -145,7 +145,7 @@ struct KnownForm {
 
 /// Calls body(KnownForm) for faces of `sides` sides and this form.
 template <class Body>
-HWY_INLINE void forForms(Far::CirculantForm form, std::int32_t sides, const Body& body) {
+HWY_INLINE void forForms(Far::CirculantForm form, [[maybe_unused]] std::int32_t sides, const Body& body) {
   using Far::CirculantForm;
   switch (form) {
     case CirculantForm::quad:
