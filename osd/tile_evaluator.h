@@ -20,8 +20,9 @@ struct TileEvaluatorOptions {
   CpuEvaluator::Threads threads = CpuEvaluator::Threads::all;
   CpuEvaluator::Instructions instructions = CpuEvaluator::Instructions::vectors;
   /// Points of this many bytes go past the caches, and so do normals: read for ownership first they would cost memory
-  /// twice. Measured: from 20 MB on two to four times the bytes a second, below 4 MB half of them.
-  std::int64_t streamedBytes = std::int64_t{16} << 20;
+  /// twice. Measured: from 20 MB on two to four times the bytes a second, below 4 MB half of them; at 17 to 20 MB
+  /// beside a cache of 32 MB a fifth to a quarter more time.
+  std::int64_t streamedBytes = Osd::streamedBytes();
   /// Both do where they take this many bytes together. Measured for 13 MB each: in a cache of 32 MB a third less time
   /// that way, in one of 100 MB a fifth more.
   std::int64_t cachedBytes = Osd::cachedBytes();

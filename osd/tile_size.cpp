@@ -37,6 +37,11 @@ std::int64_t cachedBytes() {
   return cache > 0 ? cache / 4 * 3 : std::numeric_limits<std::int64_t>::max();
 }
 
+std::int64_t streamedBytes() {
+  static const std::int64_t cache = cacheSize(3);
+  return std::clamp(cache / 8 * 5, std::int64_t{16} << 20, std::int64_t{20} << 20);
+}
+
 Far::TileOptions cpuTileOptions(Far::TileNormalKind normals) {
   constexpr std::int32_t kTilesAThread = 8;
   return {.scratchPoints = tilePoints(),

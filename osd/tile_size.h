@@ -14,6 +14,10 @@ std::int32_t tilePoints();
 /// one in bytes; without end where its size isn't known.
 std::int64_t cachedBytes();
 
+/// What the points of a level may take to be written through this machine's caches: five eighths of the last one in
+/// bytes, 16 to 20 MB; 16 MB where its size isn't known.
+std::int64_t streamedBytes();
+
 /// How tiles for TileEvaluator are cut on this machine: tilePoints(), eight a thread or more, points in the order that
 /// vectors write fastest.
 Far::TileOptions cpuTileOptions(Far::TileNormalKind normals = Far::TileNormalKind::none);
