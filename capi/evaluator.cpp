@@ -83,16 +83,16 @@ Result<void> check(const Evaluation& evaluation) {
   const std::int64_t sources = levels.pointCount(0);
   const std::int64_t targets = levels.pointCount(evaluation.level);
   const hc_points_out* normals = evaluation.normals;
-  if (const auto sound = checkBuffer(evaluation.control, sources, "control"); !sound) return sound;
-  if (const auto sound = checkBuffer(evaluation.refined, targets, "refined"); !sound) return sound;
+  if (auto sound = checkBuffer(evaluation.control, sources, "control"); !sound) return sound;
+  if (auto sound = checkBuffer(evaluation.refined, targets, "refined"); !sound) return sound;
   if (normals != nullptr)
-    if (const auto sound = checkBuffer(normals, targets, "normals"); !sound) return sound;
+    if (auto sound = checkBuffer(normals, targets, "normals"); !sound) return sound;
   if (evaluation.control->length != evaluation.refined->length)
     return refuse(fmt::format("control points have length {} and refined points {}; they must be the same",
                               evaluation.control->length, evaluation.refined->length));
-  if (const auto sound = checkKinds(evaluation); !sound) return sound;
+  if (auto sound = checkKinds(evaluation); !sound) return sound;
   const Extent normalsExtent = normals != nullptr ? extentOf(*normals, targets) : Extent{};
-  const auto apart =
+  auto apart =
       checkApart(extentOf(*evaluation.control, sources), extentOf(*evaluation.refined, targets), normalsExtent);
   if (!apart || !evaluation.evaluator.checked) return apart;
   return checkFinite(*evaluation.control, sources, evaluation.tables.info.inputVertices);
@@ -140,7 +140,7 @@ struct LimitEvaluation {
 
 Result<void> checkLimitBuffers(const LimitEvaluation& limits) {
   const std::int64_t sources = limits.tables.levels().pointCount(limits.tables.levelCount());
-  if (const auto sound = checkBuffer(limits.points, sources, "points"); !sound) return sound;
+  if (auto sound = checkBuffer(limits.points, sources, "points"); !sound) return sound;
   const auto notPositions = [](std::int32_t length) {
     return refuse(fmt::format("limits are of positions, but there are points of length {}; give 3", length));
   };
@@ -149,7 +149,7 @@ Result<void> checkLimitBuffers(const LimitEvaluation& limits) {
   Extent extents[2]{};
   for (const hc_points_out* out : {limits.positions, limits.normals}) {
     if (out == nullptr) continue;
-    if (const auto sound = checkBuffer(out, limits.results(), "limits"); !sound) return sound;
+    if (auto sound = checkBuffer(out, limits.results(), "limits"); !sound) return sound;
     if (out->length != 3) return notPositions(out->length);
     extents[out == limits.normals] = extentOf(*out, limits.results());
   }
@@ -162,7 +162,7 @@ Result<void> check(const LimitEvaluation& limits) {
     return refuse(fmt::format("kind is {}; give HC_ELEMENT_VERTEX or HC_ELEMENT_FACE", limits.kind));
   if (limits.positions == nullptr && limits.normals == nullptr)
     return refuse("positions and normals are NULL; give at least one of them");
-  const auto sound = checkLimitBuffers(limits);
+  auto sound = checkLimitBuffers(limits);
   if (!sound || !limits.evaluator.checked) return sound;
   return checkFinite(*limits.points, limits.tables.levels().pointCount(limits.tables.levelCount()), 0);
 }
@@ -212,11 +212,11 @@ void hc_evaluator_destroy(hc_evaluator* evaluator) {
 hc_status hc_evaluate(hc_evaluator* evaluator, const hc_tables* tables, int32_t level, const hc_points* control,
                       const hc_points_out* refined, const hc_points_out* normals) {
   return Capi::guarded(Capi::contextOfEvaluator(evaluator), [&]() -> Result<void> {
-    if (const auto there = Capi::checkEvaluator(evaluator); !there) return there;
-    if (const auto there = Capi::checkLevel(tables, level); !there) return there;
+    if (auto there = Capi::checkEvaluator(evaluator); !there) return there;
+    if (auto there = Capi::checkLevel(tables, level); !there) return there;
     if (level == 0) return Capi::refuse("level 0 is the control mesh; use 1 and more");
     const Capi::Evaluation evaluation{*evaluator, *tables, level, control, refined, normals};
-    if (const auto sound = Capi::check(evaluation); !sound) return sound;
+    if (auto sound = Capi::check(evaluation); !sound) return sound;
     return Capi::evaluate(evaluation);
   });
 }
@@ -224,10 +224,10 @@ hc_status hc_evaluate(hc_evaluator* evaluator, const hc_tables* tables, int32_t 
 hc_status hc_evaluate_limits(hc_evaluator* evaluator, const hc_tables* tables, hc_element kind, const hc_points* points,
                              const hc_points_out* positions, const hc_points_out* normals) {
   return Capi::guarded(Capi::contextOfEvaluator(evaluator), [&]() -> Result<void> {
-    if (const auto there = Capi::checkEvaluator(evaluator); !there) return there;
-    if (const auto there = Capi::checkLevel(tables, 0); !there) return there;
+    if (auto there = Capi::checkEvaluator(evaluator); !there) return there;
+    if (auto there = Capi::checkLevel(tables, 0); !there) return there;
     const Capi::LimitEvaluation limits{*evaluator, *tables, kind, points, positions, normals};
-    if (const auto sound = Capi::check(limits); !sound) return sound;
+    if (auto sound = Capi::check(limits); !sound) return sound;
     return Capi::evaluate(limits);
   });
 }

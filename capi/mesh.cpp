@@ -77,7 +77,7 @@ void hc_mesh_destroy(hc_mesh* mesh) {
 
 hc_status hc_mesh_polygons(const hc_mesh* mesh, hc_polygons* polygons) {
   return Capi::guarded(Capi::contextOfMesh(mesh), [&]() -> Result<void> {
-    if (const auto there = Capi::checkMesh(mesh); !there) return there;
+    if (auto there = Capi::checkMesh(mesh); !there) return there;
     const Far::Polygons& own = mesh->polygons;
     hc_polygons view{};
     view.vertex_count = own.vertexCount;
@@ -95,7 +95,7 @@ hc_status hc_mesh_polygons(const hc_mesh* mesh, hc_polygons* polygons) {
 
 hc_status hc_mesh_positions(const hc_mesh* mesh, const float** positions, size_t* count) {
   return Capi::guarded(Capi::contextOfMesh(mesh), [&]() -> Result<void> {
-    if (const auto there = Capi::checkMesh(mesh); !there) return there;
+    if (auto there = Capi::checkMesh(mesh); !there) return there;
     if (positions == nullptr) return Capi::refuse("positions is NULL; say where the pointer goes");
     *positions = mesh->positions.data();
     if (count != nullptr) *count = mesh->positions.size();

@@ -27,10 +27,10 @@ Result<void> checkCounts(const hc_polygons& polygons) {
     return refuse("face_sizes and face_offsets say the same; give one of them, and NULL for the other");
   if (polygons.face_vertex_count > kMostCorners || polygons.face_count > kMostCorners)
     return fail(ErrorCode::tooLarge, "the mesh has more than 2^31 - 1 corners; split it");
-  if (const auto sound = checkArray(polygons.face_vertices, polygons.face_vertex_count, "face_vertices"); !sound)
+  if (auto sound = checkArray(polygons.face_vertices, polygons.face_vertex_count, "face_vertices"); !sound)
     return sound;
-  if (const auto sound = checkArray(polygons.creases, polygons.crease_count, "creases"); !sound) return sound;
-  if (const auto sound = checkArray(polygons.corners, polygons.corner_count, "corners"); !sound) return sound;
+  if (auto sound = checkArray(polygons.creases, polygons.crease_count, "creases"); !sound) return sound;
+  if (auto sound = checkArray(polygons.corners, polygons.corner_count, "corners"); !sound) return sound;
   // Before memory is taken for vertices that nothing names.
   if (polygons.vertex_count > polygons.face_vertex_count)
     return fail(ErrorCode::invalidMesh,

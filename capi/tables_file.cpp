@@ -57,7 +57,7 @@ using namespace honeycomb;
 
 hc_status hc_tables_open(hc_context* context, const char* path, const hc_open_options* options, hc_tables** tables) {
   return Capi::guarded(context != nullptr ? context->context.get() : nullptr, [&]() -> Result<void> {
-    if (const auto named = Capi::checkPath(path); !named) return named;
+    if (auto named = Capi::checkPath(path); !named) return named;
     if (tables == nullptr) return Capi::refuse("tables is NULL; say where the new tables go");
     const Result<hc_tables*> made = Capi::openTables(Capi::contextOf(context), path, options);
     if (!made) return tl::unexpected(made.error());
@@ -68,8 +68,8 @@ hc_status hc_tables_open(hc_context* context, const char* path, const hc_open_op
 
 hc_status hc_tables_save(const hc_tables* tables, const char* path) {
   return Capi::guarded(Capi::contextIn(tables), [&]() -> Result<void> {
-    if (const auto there = Capi::checkLevel(tables, 0); !there) return there;
-    if (const auto named = Capi::checkPath(path); !named) return named;
+    if (auto there = Capi::checkLevel(tables, 0); !there) return there;
+    if (auto named = Capi::checkPath(path); !named) return named;
     if (tables->file) return Capi::refuse("these tables are in a file already; copy that");
     return Io::writeTableFile(Capi::pathOf(path), {*tables->refinement, tables->tileTable(), tables->info});
   });

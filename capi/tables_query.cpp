@@ -18,7 +18,7 @@ namespace {
 
 /// Files have the mesh of the last level alone. Errors: invalidOption.
 Result<void> checkMesh(const hc_tables* tables, std::int32_t level) {
-  if (const auto there = checkLevel(tables, level); !there) return there;
+  if (auto there = checkLevel(tables, level); !there) return there;
   if (!tables->file || level == tables->levelCount()) return {};
   return refuse(
       fmt::format("tables of a file have the mesh of the last level alone, which is {}", tables->levelCount()));
@@ -70,8 +70,8 @@ template <class Item, class Numbers>
 hc_status copyOut(const hc_tables* tables, std::int32_t level, Item* items, std::int64_t capacity, const char* what,
                   std::int64_t hc_level_counts::*count, const Numbers& numbers) {
   return guarded(contextIn(tables), [&]() -> Result<void> {
-    if (const auto there = checkMesh(tables, level); !there) return there;
-    if (const auto room = checkRoom(items, capacity, countsOf(*tables, level).*count, what); !room) return room;
+    if (auto there = checkMesh(tables, level); !there) return there;
+    if (auto room = checkRoom(items, capacity, countsOf(*tables, level).*count, what); !room) return room;
     const auto found = numbers(*tables);
     std::copy(found.begin(), found.end(), items);
     return {};
@@ -115,7 +115,7 @@ using namespace honeycomb;
 
 hc_status hc_tables_get_info(const hc_tables* tables, hc_tables_info* info) {
   return Capi::guarded(Capi::contextIn(tables), [&]() -> Result<void> {
-    if (const auto there = Capi::checkLevel(tables, 0); !there) return there;
+    if (auto there = Capi::checkLevel(tables, 0); !there) return there;
     const hc_tables_info known{sizeof(hc_tables_info),  tables->levelCount(),           tables->hasLimits(),
                                tables->normals,         tables->tileTable() != nullptr, tables->levels().pointCount(0),
                                Capi::byteCount(*tables)};
@@ -125,14 +125,14 @@ hc_status hc_tables_get_info(const hc_tables* tables, hc_tables_info* info) {
 
 hc_status hc_tables_get_counts(const hc_tables* tables, int32_t level, hc_level_counts* counts) {
   return Capi::guarded(Capi::contextIn(tables), [&]() -> Result<void> {
-    if (const auto there = Capi::checkMesh(tables, level); !there) return there;
+    if (auto there = Capi::checkMesh(tables, level); !there) return there;
     return Capi::writeStruct(Capi::countsOf(*tables, level), counts, "hc_level_counts");
   });
 }
 
 hc_status hc_tables_faces(const hc_tables* tables, int32_t level, const int32_t** offsets, const int32_t** vertices) {
   return Capi::guarded(Capi::contextIn(tables), [&]() -> Result<void> {
-    if (const auto there = Capi::checkMesh(tables, level); !there) return there;
+    if (auto there = Capi::checkMesh(tables, level); !there) return there;
     const bool file = tables->file.has_value();
     if (offsets != nullptr)
       *offsets = (file ? tables->file->mesh.faceOffsets : tables->refinement->faceOffsets(level)).data();

@@ -136,7 +136,7 @@ using namespace honeycomb;
 
 hc_status hc_vulkan_create(hc_context* context, const hc_vulkan_device* device, hc_vulkan** vulkan) {
   return Capi::guarded(Capi::contextOfVulkan(context), [&]() -> Result<void> {
-    if (const auto place = Capi::checkPlace(vulkan, "vulkan"); !place) return place;
+    if (auto place = Capi::checkPlace(vulkan, "vulkan"); !place) return place;
     Result<Osd::VulkanEvaluator> evaluator = Capi::makeEvaluator(device);
     if (!evaluator) return tl::unexpected(evaluator.error());
     *vulkan = Capi::make<hc_vulkan>(Capi::contextOf(context), std::move(*evaluator));
@@ -151,8 +151,8 @@ void hc_vulkan_destroy(hc_vulkan* vulkan) {
 hc_status hc_vulkan_table_create(hc_vulkan* vulkan, const hc_tables* tables, const hc_vulkan_table_options* options,
                                  hc_vulkan_table** table) {
   return Capi::guarded(Capi::contextOfVulkan(vulkan), [&]() -> Result<void> {
-    if (const auto there = Capi::checkObject(vulkan, "vulkan", "hc_vulkan_create"); !there) return there;
-    if (const auto place = Capi::checkPlace(table, "table"); !place) return place;
+    if (auto there = Capi::checkObject(vulkan, "vulkan", "hc_vulkan_create"); !there) return there;
+    if (auto place = Capi::checkPlace(table, "table"); !place) return place;
     const Result<hc_vulkan_table*> made = Capi::upload(*vulkan, tables, options);
     if (!made) return tl::unexpected(made.error());
     *table = *made;
@@ -166,7 +166,7 @@ void hc_vulkan_table_destroy(hc_vulkan_table* table) {
 
 hc_status hc_vulkan_table_get_sizes(const hc_vulkan_table* table, hc_vulkan_sizes* sizes) {
   return Capi::guarded(Capi::contextOfVulkan(table), [&]() -> Result<void> {
-    if (const auto there = Capi::checkObject(table, "table", "hc_vulkan_table_create"); !there) return there;
+    if (auto there = Capi::checkObject(table, "table", "hc_vulkan_table_create"); !there) return there;
     const Osd::VulkanTable& own = table->table;
     const hc_vulkan_sizes known{sizeof(hc_vulkan_sizes), own.bytesOf(Osd::PointBuffer::control),
                                 own.bytesOf(Osd::PointBuffer::refined), own.bytesOf(Osd::PointBuffer::vertexNormals),
@@ -178,8 +178,8 @@ hc_status hc_vulkan_table_get_sizes(const hc_vulkan_table* table, hc_vulkan_size
 hc_status hc_vulkan_binding_create(const hc_vulkan_table* table, const hc_vulkan_targets* targets,
                                    hc_vulkan_binding** binding) {
   return Capi::guarded(Capi::contextOfVulkan(table), [&]() -> Result<void> {
-    if (const auto there = Capi::checkObject(table, "table", "hc_vulkan_table_create"); !there) return there;
-    if (const auto place = Capi::checkPlace(binding, "binding"); !place) return place;
+    if (auto there = Capi::checkObject(table, "table", "hc_vulkan_table_create"); !there) return there;
+    if (auto place = Capi::checkPlace(binding, "binding"); !place) return place;
     if (targets == nullptr) return Capi::refuse("targets is NULL; give the buffers to work on");
     const Result<hc_vulkan_targets> read = Capi::readStruct(targets, "hc_vulkan_targets");
     if (!read) return tl::unexpected(read.error());
@@ -200,7 +200,7 @@ void hc_vulkan_binding_destroy(hc_vulkan_binding* binding) {
 
 hc_status hc_vulkan_record(const hc_vulkan_binding* binding, struct VkCommandBuffer_T* commands) {
   return Capi::guarded(Capi::contextOfVulkan(binding), [&]() -> Result<void> {
-    if (const auto there = Capi::checkObject(binding, "binding", "hc_vulkan_binding_create"); !there) return there;
+    if (auto there = Capi::checkObject(binding, "binding", "hc_vulkan_binding_create"); !there) return there;
     if (commands == nullptr) return Capi::refuse("commands is NULL; give a command buffer in the recording state");
     binding->binding.record(commands);
     return {};

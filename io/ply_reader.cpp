@@ -155,7 +155,7 @@ class PlyParser {
   Result<void> skip(const PlyElement& element) {
     std::vector<std::vector<double>> row;
     for (std::int64_t i = 0; i < element.count && !element.properties.empty(); ++i)
-      if (const auto read = readRow(element, i, row); !read) return read;
+      if (auto read = readRow(element, i, row); !read) return read;
     return {};
   }
 
@@ -182,7 +182,7 @@ class PlyParser {
               t = findEither(element, {"t", "v", "texture_v"}, false);
     std::vector<std::vector<double>> row;
     for (std::int64_t v = 0; v < element.count; ++v) {
-      if (const auto read = readRow(element, v, row); !read) return read;
+      if (auto read = readRow(element, v, row); !read) return read;
       if (numbers_.isText()) mesh_.vertexLines.push_back(numbers_.line());
       for (const int p : xyz) {
         const double coordinate = row[at(p)][0];
@@ -216,7 +216,7 @@ class PlyParser {
     if (texcoords >= 0) mesh_.texcoords.clear();
     std::vector<std::vector<double>> row;
     for (std::int64_t f = 0; f < element.count; ++f) {
-      if (const auto read = readRow(element, f, row); !read) return read;
+      if (auto read = readRow(element, f, row); !read) return read;
       const std::vector<double>& loop = row[at(indices)];
       if (loop.size() < 3)
         return failHere("face", f, fmt::format("a face has {} corners; write three or more", loop.size()));

@@ -44,10 +44,10 @@ Result<std::span<const float>> ResampledFrames::frame(std::int32_t f, std::vecto
   const std::int32_t last = source_->info().frameCount - 1;
   const std::int32_t before = std::min(static_cast<std::int32_t>(place + kOnAFrame), last);
   const double share = place - before;
-  const auto former = source_->frame(before, storage);
+  auto former = source_->frame(before, storage);
   if (!former || share <= kOnAFrame || before == last) return former;
   std::vector<float> room;
-  const auto latter = source_->frame(before + 1, room);
+  auto latter = source_->frame(before + 1, room);
   if (!latter) return latter;
   const auto between = [share](float a, float b) {
     return static_cast<float>((1 - share) * static_cast<double>(a) + share * static_cast<double>(b));

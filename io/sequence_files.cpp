@@ -89,6 +89,7 @@ Result<std::vector<std::string>> patternFiles(const std::filesystem::path& path,
   const auto name = [&pattern](std::int64_t number) { return pattern.name(number); };
   if (const auto whole = checkGaps(path, numbers, name); !whole) return tl::unexpected(whole.error());
   std::vector<std::string> files;
+  files.reserve(numbers.size());
   for (const std::int64_t number : numbers) files.push_back(name(number));
   return files;
 }

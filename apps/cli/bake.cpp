@@ -32,13 +32,13 @@ struct BakeCommand {
 };
 
 Result<void> checkFiles(const BakeCommand& command) {
-  if (const auto known = checkBakeFormat(command.output); !known) return known;
+  if (auto known = checkBakeFormat(command.output); !known) return known;
   std::vector<std::filesystem::path> taken{command.surface.input};
   if (!command.animation.cache.empty()) taken.emplace_back(command.animation.cache);
   if (command.surface.scheme.given(kCentralFileOption))
     taken.emplace_back(command.surface.scheme.text(kCentralFileOption));
   if (!command.table.empty()) taken.emplace_back(command.table);
-  if (const auto writable = checkOutput(command.output, taken); !writable) return writable;
+  if (auto writable = checkOutput(command.output, taken); !writable) return writable;
   if (command.mesh.empty()) return {};
   if (const auto known = meshOutput(command.mesh); !known) return tl::unexpected(known.error());
   taken.emplace_back(command.output);
@@ -172,9 +172,9 @@ Result<void> writeFiles(const Bake& bake, BakeOutput& output) {
   if (!mesh.empty()) {
     const Result<const MeshOutput*> format = meshOutput(mesh);
     if (!format) return tl::unexpected(format.error());
-    if (const auto written = (*format)->write(mesh, bake.mesh.content); !written) return written;
+    if (auto written = (*format)->write(mesh, bake.mesh.content); !written) return written;
   }
-  const Result<void> finished = output.finish();
+  Result<void> finished = output.finish();
   std::error_code ignored;
   if (!finished && !mesh.empty()) std::filesystem::remove(mesh, ignored);
   return finished;
@@ -247,7 +247,7 @@ Error giveUp(BakeOutput& output, Error error, const Ranks& ranks, const Session&
 
 Result<void> bakeOn(Ranks& ranks, const BakeCommand& command, const Session& session) {
   const Result<std::unique_ptr<Bake>> prepared = catching([&] { return prepare(command, session); });
-  if (const auto sound = ranks.agree(prepared.map([](const auto&) {}), 0); !sound) return sound;
+  if (auto sound = ranks.agree(prepared.map([](const auto&) {}), 0); !sound) return sound;
   const Bake& bake = **prepared;
   const Result<BakeFormat> format = bakeFormat(command.output, bake.mesh);
   if (!format) return tl::unexpected(format.error());

@@ -142,15 +142,15 @@ Result<void> printSummary(const ConvertCommand& command, const Session& session,
 Result<void> convert(const ConvertCommand& command, const Session& session) {
   const auto target = choose(kTargets, "--to", command.to);
   if (!target) return tl::unexpected(target.error());
-  if (const auto sensible = checkOptions(command, **target); !sensible) return sensible;
+  if (auto sensible = checkOptions(command, **target); !sensible) return sensible;
   if (const auto format = meshOutput(command.output); !format) return tl::unexpected(format.error());
   const std::array<std::filesystem::path, 1> inputs{command.input};
-  if (const auto writable = checkOutput(command.output, inputs); !writable) return writable;
+  if (auto writable = checkOutput(command.output, inputs); !writable) return writable;
   const Result<MeshInput> input = readMesh(command.input, command.read);
   if (!input) return tl::unexpected(input.error());
   const Result<Converted> converted = convertMesh(command, **target, *input);
   if (!converted) return tl::unexpected(converted.error());
-  if (const auto written = write(command, *converted); !written) return written;
+  if (auto written = write(command, *converted); !written) return written;
   return printSummary(command, session, *input, *converted);
 }
 

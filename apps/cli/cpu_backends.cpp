@@ -39,7 +39,7 @@ class CpuSurfaceEvaluator : public EitherPrecision<CpuSurfaceEvaluator> {
     surface.vertexCount = vertexCount_;
     surface.points.resize(3 * at(levels_.pointCount(levels_.levelCount())));
     const Osd::PointsOut<Real> points{surface.points, kPacked};
-    const Result<void> refined =
+    Result<void> refined =
         evaluator_.evaluate<Real>(levels_, levels_.levelCount(), Osd::Points<Real>{control, kPacked}, points);
     if (!refined || normals_ == Normals::none) return refined;
     surface.normals.resize(3 * at(surface.vertexCount));
@@ -66,9 +66,9 @@ class FastNormalEvaluator : public EitherPrecision<FastNormalEvaluator> {
     surface.vertexCount = refinement_.last().topology.vertexCount();
     surface.points.resize(3 * at(refinement_.last().pointCount()));
     surface.normals.resize(surface.points.size());
-    const Result<void> done = evaluator_.evaluate<Real>(refinement_, table_, Osd::Points<Real>{control, kPacked},
-                                                        Osd::PointsOut<Real>{surface.points, kPacked},
-                                                        Osd::PointsOut<Real>{surface.normals, kPacked});
+    Result<void> done = evaluator_.evaluate<Real>(refinement_, table_, Osd::Points<Real>{control, kPacked},
+                                                  Osd::PointsOut<Real>{surface.points, kPacked},
+                                                  Osd::PointsOut<Real>{surface.normals, kPacked});
     surface.normals.resize(3 * at(surface.vertexCount));  // points that are no vertices have none
     return done;
   }

@@ -18,7 +18,7 @@ Result<std::span<const float>> vertexPoints(const MeshInput& input, const Animat
 
 Result<std::span<const float>> controlPoints(const MeshInput& input, const Animation* animation,
                                              const CentralPoints& central, std::int32_t f, FrameStorage& storage) {
-  const Result<std::span<const float>> vertices = vertexPoints(input, animation, f, storage);
+  Result<std::span<const float>> vertices = vertexPoints(input, animation, f, storage);
   if (!vertices || !central.given) return vertices;
   std::vector<float>& control = storage.control;
   if (vertices->data() != control.data()) control.assign(vertices->begin(), vertices->end());

@@ -189,6 +189,7 @@ Result<Far::Topology> makeTopology(const MeshInput& input, Far::FaceOrder order)
 
 void gatherVertices(MeshInput& input, const std::vector<std::int32_t>& order) {
   std::vector<std::int32_t> kept;
+  kept.reserve(order.size());
   for (const std::int32_t v : order) kept.push_back(static_cast<std::int32_t>(input.fileVertex(v)));
   input.kept = std::move(kept);
   Io::Mesh& mesh = input.mesh;

@@ -12,6 +12,7 @@ template <class Number>
 std::vector<Number> picked(const std::vector<Number>& values, const std::vector<std::int64_t>& places) {
   if (values.empty()) return {};
   std::vector<Number> result;
+  result.reserve(places.size());
   for (const std::int64_t place : places) result.push_back(values[at(place)]);
   return result;
 }

@@ -83,7 +83,7 @@ Result<void> refineFaceVarying(const Io::Mesh& mesh, const Far::Refinement& refi
   Osd::TbbEvaluator evaluator;
   for (std::int32_t k = 1; k <= varying->levelCount(); ++k) {
     std::vector<Real> refined(2 * at(varying->level(k).valueCount));
-    const Result<void> done = evaluator.evaluate<Real>(varying->level(k).table, {uv, kPairs}, {refined, kPairs});
+    Result<void> done = evaluator.evaluate<Real>(varying->level(k).table, {uv, kPairs}, {refined, kPairs});
     if (!done) return done;
     uv = std::move(refined);
   }

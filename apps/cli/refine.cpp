@@ -136,7 +136,7 @@ Result<void> evaluateAndWrite(const RefineJob& job, const Far::Refinement& refin
   summary.refineMs = stopwatch.lap();
   progress.advance(vertices * kRefineShare);
   progress.stage("writing");
-  const Result<void> written = writeSurface(job.command.output, refinement, *refined);
+  Result<void> written = writeSurface(job.command.output, refinement, *refined);
   summary.writeMs = stopwatch.lap();
   return written;
 }
@@ -206,7 +206,7 @@ Result<void> checkCommand(const RefineCommand& command) {
   std::vector<std::filesystem::path> inputs{command.surface.input};
   if (command.surface.scheme.given(kCentralFileOption))
     inputs.emplace_back(command.surface.scheme.text(kCentralFileOption));
-  if (const auto writable = checkOutput(command.output, inputs); !writable) return writable;
+  if (auto writable = checkOutput(command.output, inputs); !writable) return writable;
   const auto chain = readChain(command.surface.scheme, command.surface.levels, levelChoice(command));
   if (!chain) return tl::unexpected(chain.error());
   if (command.pieces && command.normals == "fast")
@@ -224,7 +224,7 @@ Result<void> refine(const RefineCommand& command, const Session& session) {
   if (!precision) return tl::unexpected(precision.error());
   const auto normals = choose(kNormals, "--normals", command.normals);
   if (!normals) return tl::unexpected(normals.error());
-  if (const auto sound = checkCommand(command); !sound) return sound;
+  if (auto sound = checkCommand(command); !sound) return sound;
   const Result<SurfacePlan> plan = planSurface(command.surface, (*precision)->bytes, levelChoice(command));
   if (!plan) return tl::unexpected(plan.error());
   Result<CentralPoints> central = readCentralPoints(command.surface.scheme, plan->mesh.input);

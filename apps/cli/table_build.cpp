@@ -80,14 +80,14 @@ Result<BuiltTable> buildTable(const TableBuildCommand& command, const Session& s
 }
 
 Result<void> tableBuild(const TableBuildCommand& command, const Session& session) {
-  if (const auto sound = checkTableCommand(command); !sound) return sound;
+  if (auto sound = checkTableCommand(command); !sound) return sound;
   const Result<BuiltTable> built = buildTable(command, session);
   if (!built) return tl::unexpected(built.error());
   Stopwatch stopwatch;
   const InterruptScope interruptible;
   const Io::TableContent content{built->refinement, built->tiles ? &*built->tiles : nullptr, built->info,
                                  command.indexBuffers, command.indexBuffers};
-  if (const auto written = Io::writeTableFile(command.output, content); !written) return written;
+  if (auto written = Io::writeTableFile(command.output, content); !written) return written;
   const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(command.output));
   const std::int32_t vertices = built->refinement.last().topology.vertexCount();
   if (!session.json) {

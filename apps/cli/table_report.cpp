@@ -65,7 +65,7 @@ Result<void> tableCheck(const std::string& name, const Session& session) {
   const Result<TableFile> file = TableFile::open(name);
   if (!file) return tl::unexpected(file.error());
   const double openMs = stopwatch.lap();
-  if (const auto sound = file->check(); !sound) return sound;
+  if (auto sound = file->check(); !sound) return sound;
   const double checkMs = stopwatch.lap();
   if (session.json)
     return printResult(jsonText(
@@ -97,7 +97,7 @@ Result<void> tableDiff(const std::string& first, const std::string& second, cons
                         {"in_second", difference.inSecond}});
   }
   if (session.json) text = jsonText({{"same_mesh", sameMesh}, {"sections", sections}});
-  if (const auto printed = printResult(text); !printed) return printed;
+  if (auto printed = printResult(text); !printed) return printed;
   if (found.empty() && sameMesh) return {};
   return fail(ErrorCode::invalidFile,
               fmt::format("{} and {} differ in {}", first, second,

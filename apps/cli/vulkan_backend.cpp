@@ -34,7 +34,7 @@ class VulkanSurfaceEvaluator : public SurfaceEvaluator, public FrameStream {
   Result<void> collect(Surface<float>& surface) override {
     const Osd::VulkanTicket oldest{newest_.semaphore, newest_.value + 1 - onTheirWay_};
     --onTheirWay_;
-    if (const auto done = frames_.wait(oldest); !done) return done;
+    if (auto done = frames_.wait(oldest); !done) return done;
     const auto results = frames_.results(oldest);
     if (!results) return tl::unexpected(results.error());
     surface.vertexCount = vertexCount_;
@@ -48,7 +48,7 @@ class VulkanSurfaceEvaluator : public SurfaceEvaluator, public FrameStream {
   }
 
   Result<void> evaluate(std::span<const float> control, Surface<float>& surface) override {
-    if (const auto sent = submit(control); !sent) return sent;
+    if (auto sent = submit(control); !sent) return sent;
     return collect(surface);
   }
   Result<void> evaluate(std::span<const double>, Surface<double>&) override {

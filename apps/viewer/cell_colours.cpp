@@ -45,6 +45,7 @@ std::vector<std::uint32_t> byDescent(const Far::Refinement& refinement, std::int
 
 std::vector<std::uint32_t> bySides(const Far::Topology& topology, const Palette& palette) {
   std::vector<std::uint32_t> colours;
+  colours.reserve(static_cast<std::size_t>(topology.faceCount()));
   for (std::int32_t f = 0; f < topology.faceCount(); ++f) colours.push_back(packed(palette.of(topology.sides(f))));
   return colours;
 }

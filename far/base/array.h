@@ -62,12 +62,12 @@ class Array {
 
   /// The elements `values` where they are, which `keeper` (not null) keeps there. Moved they stay there, copied they
   /// are the copy's own.
-  static Array inPlaceOf(std::span<const T> values, std::shared_ptr<const void> keeper) {
+  static Array inPlaceOf(std::span<const T> values, const std::shared_ptr<const void>& keeper) {
     assert(keeper != nullptr);
     Array array;
     array.data_ = const_cast<T*>(values.data());
     array.size_ = values.size();
-    array.keeper_ = std::move(keeper);
+    array.keeper_ = keeper;
     return array;
   }
   /// Is this memory of somebody else's?

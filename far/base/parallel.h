@@ -31,12 +31,14 @@ void forEach(std::int64_t begin, std::int64_t end, const Body& body, std::int64_
   });
 }
 
+/// The most workers that a loop over items takes.
+constexpr int kMostWorkers = 256;
+
 /// Calls body(worker, i) for every i in [0, count), count up to 2^31 - 1, concurrently and one at a time: for few items
 /// that take long. Workers are numbered from 0, below `workers` (threadCount(), or fewer) and kMostWorkers, and a
 /// number belongs to one thread at a time. A thread begins with its own share of the items, the same in every loop over
 /// as many, since what it wrote the last time may still be in its core's caches; then it takes what others have left,
 /// from the ends of their shares. Allocates nothing itself.
-constexpr int kMostWorkers = 256;
 void forItems(std::int64_t count, int workers, const std::function<void(int, std::int64_t)>& body);
 
 /// The lowest i in [begin, end) for which test(i) holds, `end` if there is none.

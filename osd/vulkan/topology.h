@@ -96,6 +96,8 @@ class VulkanTopology {
   /// Arrays of a level, 1 .. options().levels: buffers to be bound as storage, copied, or read as indices. Their sizes
   /// are of the largest mesh there is room for; nothing for another level.
   VulkanRange vert(std::int32_t level) const;
+  /// A 32-bit number per face of the level: the face, or the vertex, of the level before that it was made from, as
+  /// drawn above; levels as for vert().
   VulkanRange parents(std::int32_t level) const;
   /// Nothing without options().links.
   VulkanRange twin(std::int32_t level) const;

@@ -129,7 +129,7 @@ Result<void> writePictures(Show& show, const Session& session, Times& times) {
     if (interruptSignal() != 0) return fail(ErrorCode::unwritable, "interrupted");
     const auto picture = draw(show, cameraOf(show, i), i, times);
     if (!picture) return tl::unexpected(picture.error());
-    if (const auto written = output->write(show.numberOf(i), *picture); !written) return written;
+    if (auto written = output->write(show.numberOf(i), *picture); !written) return written;
     progress.advance(1);
   }
   return output->finish();
@@ -139,7 +139,7 @@ Result<void> writePictures(Show& show, const Session& session, Times& times) {
 Result<void> writeSheet(Show& show, Times& times) {
   if (show.command.sheet.empty()) return {};
   const auto height = static_cast<std::int32_t>(std::lround(kSheetWidth / show.size.aspect()));
-  if (const auto sized = show.stage.renderer().resize(kSheetWidth, std::max(height, 1)); !sized) return sized;
+  if (auto sized = show.stage.renderer().resize(kSheetWidth, std::max(height, 1)); !sized) return sized;
   const std::int32_t count = std::min(kSheetPictures, show.pictureCount());
   std::vector<Viewer::Picture> pictures;
   for (std::int32_t i = 0; i < count; ++i) {
@@ -167,9 +167,9 @@ Result<void> checkOutputs(const PlayCommand& command) {
     if (!video && path.extension() != ".png")
       return fail(ErrorCode::invalidOption,
                   fmt::format("{}: pictures are .png files, videos .mp4, .webm, .mov, .mkv or .gif", name));
-    if (const auto writable = checkOutput(path, inputs); !writable) return writable;
+    if (auto writable = checkOutput(path, inputs); !writable) return writable;
     if (video)
-      if (const auto there = VideoPipe::available(path); !there) return there;
+      if (auto there = VideoPipe::available(path); !there) return there;
   }
   return {};
 }
@@ -198,7 +198,7 @@ Result<void> printSummary(const Show& show, const Session& session, const Times&
 }  // namespace
 
 Result<void> playHeadless(const PlayCommand& command, const Session& session) {
-  if (const auto sound = checkOutputs(command); !sound) return sound;
+  if (auto sound = checkOutputs(command); !sound) return sound;
   auto settings = settingsOf(command);
   if (!settings) return tl::unexpected(settings.error());
   const PictureSize size = settings->size;
@@ -213,8 +213,8 @@ Result<void> playHeadless(const PlayCommand& command, const Session& session) {
     return tl::unexpected(inFile((*surface)->file(), shown.error()));
   Show show{command, settings->appearance, size, std::move(settings->backend), *surface, *stage};
   Times times;
-  if (const auto written = writePictures(show, session, times); !written) return written;
-  if (const auto written = writeSheet(show, times); !written) return written;
+  if (auto written = writePictures(show, session, times); !written) return written;
+  if (auto written = writeSheet(show, times); !written) return written;
   return printSummary(show, session, times);
 }
 

@@ -48,7 +48,7 @@ Result<Stage> Stage::open(const StageOptions& options) {
   return Stage(std::move(owned), std::move(evaluator), std::move(*renderer));
 }
 
-Result<LoadedSurface> Stage::load(std::shared_ptr<const PlaySurface> surface, const LoadOptions& options) const {
+Result<LoadedSurface> Stage::load(const std::shared_ptr<const PlaySurface>& surface, const LoadOptions& options) const {
   const Far::Refinement& refinement = surface->refinement();
   const Far::Topology& last = refinement.last().topology;
   const auto colours = Viewer::cellColours(refinement, refinement.levelCount(), options.colouring);
@@ -70,8 +70,8 @@ void Stage::show(LoadedSurface loaded) {
   shown_ = std::move(loaded);
 }
 
-Result<void> Stage::show(std::shared_ptr<const PlaySurface> surface) {
-  auto loaded = load(std::move(surface), {{}, shown_.colouring});
+Result<void> Stage::show(const std::shared_ptr<const PlaySurface>& surface) {
+  auto loaded = load(surface, {{}, shown_.colouring});
   if (!loaded) return tl::unexpected(loaded.error());
   show(std::move(*loaded));
   return {};
@@ -109,7 +109,7 @@ Result<Viewer::PoseTimes> Stage::pose(const std::string& backend, std::int32_t f
   if (!found) return tl::unexpected(found.error());
   const auto control = surface().control(frame, storage_);
   if (!control) return tl::unexpected(control.error());
-  const auto times = (*found)->pose(*control);
+  auto times = (*found)->pose(*control);
   if (!times) return tl::unexpected(surface().ofFrame(frame, times.error()));
   const auto vertices =
       (*found)->refined().first(3 * static_cast<std::size_t>(surface().refinement().last().topology.vertexCount()));

@@ -59,11 +59,11 @@ class Stage {
   /// Brings a surface to the device, beside the one that is shown, and prepares the backends; what can't be is left
   /// out, and its error met where it is used. Thread-safe: the stage may be drawing, but neither be moved nor end.
   /// Errors: outOfMemory, tooLarge, deviceLost.
-  Result<LoadedSurface> load(std::shared_ptr<const PlaySurface> surface, const LoadOptions& options) const;
+  Result<LoadedSurface> load(const std::shared_ptr<const PlaySurface>& surface, const LoadOptions& options) const;
   /// Shows a surface that this stage has loaded, in place of the one before; nothing may still draw that.
   void show(LoadedSurface loaded);
   /// Both. After an error the one before stays. Errors: those of load.
-  Result<void> show(std::shared_ptr<const PlaySurface> surface);
+  Result<void> show(const std::shared_ptr<const PlaySurface>& surface);
   const PlaySurface& surface() const { return *shown_.surface; }
   const std::shared_ptr<const PlaySurface>& shared() const { return shown_.surface; }
   Viewer::Colouring colouring() const { return shown_.colouring; }

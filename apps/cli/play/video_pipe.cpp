@@ -16,8 +16,6 @@
 #include <utility>
 #include <vector>
 
-extern char** environ;
-
 namespace honeycomb::Cli::Play {
 namespace {
 
@@ -49,6 +47,7 @@ std::vector<std::string> commandLine(const std::filesystem::path& output, std::i
 /// Runs the program with the pipe's reading end as its standard input.
 Result<pid_t> spawn(const std::vector<std::string>& arguments, const std::array<int, 2>& ends) {
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
   pointers.push_back(nullptr);
   posix_spawn_file_actions_t actions;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <utility>
 
 #include "apps/cli/play/live_options.h"
 #include "apps/cli/play/window/panel.h"
@@ -20,8 +21,8 @@ std::optional<std::string> combo(const char* label, const std::string& current, 
   ImGui::SetNextItemWidth(kFieldWidth);
   if (!ImGui::BeginCombo(label, current.c_str())) return chosen;
   for (const auto& entry : names) {
-    const std::string name(entry);
-    if (ImGui::Selectable(name.c_str(), name == current)) chosen = name;
+    std::string name(entry);
+    if (ImGui::Selectable(name.c_str(), name == current)) chosen = std::move(name);
   }
   ImGui::EndCombo();
   return chosen;

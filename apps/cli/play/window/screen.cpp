@@ -198,7 +198,7 @@ VkExtent2D Screen::extent() const {
 
 Result<void> Screen::resize() {
   State& s = *state_;
-  if (const auto finished = finishFrame(); !finished) return finished;
+  if (auto finished = finishFrame(); !finished) return finished;
   waitForQueue(s);
   auto chain = Swapchain::create(s.gpu, s.calls, s.surface, sizeOf(s.window), s.pass.get(), s.chain);
   if (!chain) return tl::unexpected(chain.error());

@@ -128,7 +128,7 @@ float Window::aspect() const {
 }
 
 Result<void> Window::takeSurface() {
-  if (const auto finished = screen_->finishFrame(); !finished) return finished;
+  if (auto finished = screen_->finishFrame(); !finished) return finished;
   posedFrame_ = -1;
   auto loaded = loader_.take(*player_.surface());
   if (!loaded) return stage_->show(player_.surface());
@@ -139,7 +139,7 @@ Result<void> Window::takeSurface() {
 Result<void> Window::fitSize() {
   const VkExtent2D size = framebufferOf(handle_.get());
   if (sameSize(size, screen_->extent()) && sameSize(size, stage_->renderer().extent())) return {};
-  if (const auto resized = screen_->resize(); !resized) return resized;
+  if (auto resized = screen_->resize(); !resized) return resized;
   const VkExtent2D now = screen_->extent();
   everDrawn_ = false;
   return stage_->renderer().resize(static_cast<std::int32_t>(now.width), static_cast<std::int32_t>(now.height));
@@ -152,11 +152,11 @@ Result<void> Window::frame(double seconds) {
   const std::string next = player_.backend.first();
   loader_.expect({{player_.surface() ? next : soonest(next)}, stage_->colouring()});
   if (player_.update(seconds, aspect()))
-    if (const auto taken = takeSurface(); !taken) return taken;
+    if (auto taken = takeSurface(); !taken) return taken;
   if (player_.failure()) return tl::unexpected(*player_.failure());
   if (!player_.surface()) return {};
-  if (const auto fitted = fitSize(); !fitted) return fitted;
-  if (const auto posed = pose(); !posed) return posed;
+  if (auto fitted = fitSize(); !fitted) return fitted;
+  if (auto posed = pose(); !posed) return posed;
   const Drawn now = wanted();
   Drawn moved = seen_;
   moved.lighting = now.lighting;
@@ -201,7 +201,7 @@ Result<void> Window::pose() {
   newPose_ = frame != posedFrame_ || backend != posedBackend_;
   if (!newPose_) return {};
   if (player_.comparing)
-    if (const auto compared = compare(frame); !compared) return compared;
+    if (auto compared = compare(frame); !compared) return compared;
   auto posed = stage_->pose(backend, frame);
   while (!posed && posed.error().code != ErrorCode::deviceLost && player_.backendFailed(posed.error())) {
     backend = player_.backend.current();
@@ -247,7 +247,7 @@ Result<void> Window::draw() {
   }
   const auto shown = screen_->show(stage_->renderer().image(), record);
   if (!shown) return tl::unexpected(shown.error());
-  if (const auto finished = screen_->finishFrame(); !finished) return finished;
+  if (auto finished = screen_->finishFrame(); !finished) return finished;
   if (!*shown) return screen_->resize();
   everDrawn_ = true;
   drawn_ = now;
