@@ -74,7 +74,7 @@ class TileProof {
       return "a step's rows have no such width";
     if (step.pairs && (rows || step.width % 2 != 0 || table_.places != TilePlaces::fours))
       return "a step's points are no pairs";
-    std::int64_t indices = std::int64_t{step.count} * (step.pairs ? step.width / 2 : step.width);
+    std::int64_t indices = step.count * indicesEach(step);
     if (step.kind == TileStep::Kind::loose && !entriesOf(step, indices)) return "a step's rows aren't there";
     if (!liesWithin(step.firstIndex, indices, std::ssize(table_.indices))) return "a step's indices aren't there";
     if (!areTilePoints(std::span(table_.indices).subspan(at(step.firstIndex), at(indices)),

@@ -8,6 +8,11 @@
 
 namespace honeycomb::Far {
 
+/// Numbers in TileTable::indices a face or dense row of a step.
+constexpr std::int64_t indicesEach(const TileStep& step) {
+  return step.pairs ? step.width / 2 : step.width;
+}
+
 /// What is wrong with tile `number` of a table whose frame and totals are sound: null, or a few words. Places are
 /// checked before anything is read there. `sharedPoints`: of all sets; `faceEnds`: where the normals of a step's points
 /// end at the latest, one a step; of fast normals.

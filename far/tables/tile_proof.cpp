@@ -71,8 +71,7 @@ Result<void> proveTotals(const TileTable& tiles) {
   for (const TileStep& step : tiles.steps) {
     stages.take(step.stageCount);
     const bool loose = step.kind == TileStep::Kind::loose;
-    const std::int64_t width = step.pairs ? step.width / 2 : step.width;
-    (loose ? rows : indices).take(loose ? step.count : step.count * width);
+    (loose ? rows : indices).take(loose ? step.count : step.count * indicesEach(step));
   }
   for (const TileRow& row : tiles.rows) indices.take(row.entries);
   const TileNormals& normals = tiles.normals;

@@ -117,7 +117,7 @@ HWY_INLINE void storeStage(D d, const hn::Vec<D>* out, int n, const StageTarget&
   if (stage.wanted) sink.put(d, out, n, stage.outputs, face);
 }
 
-/// Faces `face`, face + K, .. as long as there are K more before `end`, whose matrix is the same at all stages. Returns
+/// Faces `face`, face + K, .. of the step as long as there are K more, whose matrix is the same at all stages. Returns
 /// the first that is left.
 template <CirculantForm kForm, int N, bool kFours, bool kPairs, class D, class Sink>
 HWY_INLINE std::int32_t evolve(D d, const StepFaces& faces, std::int32_t face, Sink sink) {
