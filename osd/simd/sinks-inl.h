@@ -10,10 +10,11 @@
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
 
 #include "osd/simd/points-inl.h"
+#include "osd/simd/stream-inl.h"
 #include "osd/tile_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -37,106 +38,14 @@ HWY_INLINE hn::Vec<D> loadOwn(D d, const float* own, const Far::TilePoint* index
   }
 }
 
-/// What goes past the caches: outputs that follow each other are gathered in a buffer of some kilobytes, and leave it
-/// as whole cache lines by non-temporal stores.
-///     buffer   | not ours | gathered ................ | slack
-///              0          begin_                      fill_           numbers
-///     target   line_      (a whole number of cache lines before)
-/// The lines where a row begins and ends belong to others in part and must be read first. Nothing behind a store that
-/// waits for that leaves the processor, so such pieces are asked for at once and written some pieces later: where
-/// memory is the limit that takes 5 to 15 % less time.
-class Stream {
- public:
-  /// `buffer`: kStreamRoom numbers on a cache line.
-  explicit Stream(float* buffer) : buffer_(buffer) {}
-
-  /// Where to write the `count` numbers that go to p.
-  HWY_INLINE float* room(float* p, std::int64_t count) {
-    if (p != line_ + fill_ || fill_ >= Kernels::kStreamNumbers) makeRoom(p);
-    float* const to = buffer_ + fill_;
-    fill_ += count;
-    return to;
-  }
-
-  /// To be called behind the last numbers.
-  void finish() {
-    flush();
-    for (Piece& piece : pieces_) {
-      if (piece.count > 0) write(piece);
-    }
-    hwy::FlushStream();
-  }
-
- private:
-  static constexpr std::int64_t kLine = 16;  // numbers of a cache line
-  static constexpr std::size_t kPieces = 8;
-
-  // What goes to a part of a line.
-  struct Piece {
-    float* to = nullptr;
-    std::size_t count = 0;
-    float numbers[kLine];
-  };
-
-  static void write(Piece& piece) {
-    std::memcpy(piece.to, piece.numbers, piece.count * sizeof(float));
-    piece.count = 0;
-  }
-
-  void putOff(float* to, const float* from, std::int64_t count) {
-    Piece& piece = pieces_[nextPiece_++ % kPieces];
-    if (piece.count > 0) write(piece);
-    hwy::Prefetch(to);
-    piece.to = to;
-    piece.count = at(count);
-    std::memcpy(piece.numbers, from, piece.count * sizeof(float));
-  }
-
-  HWY_NOINLINE void makeRoom(float* p) {
-    if (p == line_ + fill_) return sendLines();
-    flush();
-    begin_ = fill_ = static_cast<std::int64_t>(reinterpret_cast<std::uintptr_t>(p) / sizeof(float) % kLine);
-    line_ = p - fill_;
-  }
-
-  /// Sends the whole lines and keeps the begun one.
-  HWY_NOINLINE void sendLines() {
-    const hn::CappedTag<float, 16> d;
-    std::int64_t i = 0;
-    if (begin_ > 0 && fill_ >= kLine) {
-      putOff(line_ + begin_, buffer_ + begin_, kLine - begin_);
-      i = kLine;
-    }
-    const std::int64_t end = fill_ / kLine * kLine;
-    for (; i < end; i += static_cast<std::int64_t>(hn::Lanes(d))) hn::Stream(hn::Load(d, buffer_ + i), d, line_ + i);
-    if (end == 0) return;
-    std::memcpy(buffer_, buffer_ + end, at(fill_ - end) * sizeof(float));
-    line_ += end;
-    fill_ -= end;
-    begin_ = 0;
-  }
-
-  HWY_NOINLINE void flush() {
-    sendLines();
-    if (fill_ > begin_) putOff(line_ + begin_, buffer_ + begin_, fill_ - begin_);
-    begin_ = fill_;
-  }
-
-  float* buffer_;
-  float* line_ = nullptr;
-  std::int64_t begin_ = 0;
-  std::int64_t fill_ = 0;
-  Piece pieces_[kPieces];
-  std::size_t nextPiece_ = 0;
-};
-
 /// Where the points of the wanted level go to, `length` numbers each: straight into the caller's buffer, or into
 /// `stream`. kPacked: 3 or 4, points of so many numbers without gaps; 0: of 1 to 4 with any, which are not streamed. To
 /// be passed by value: stores to points of unknown whereabouts then leave its numbers in registers.
-template <int kPacked, bool kStreamed>
+template <int kPacked, bool kPastCaches>
 class Sink {
  public:
   static constexpr int kNumbers = kPacked;
+  static constexpr bool kStreamed = kPastCaches;
 
   Sink(const View<float>& target, int length, Stream& stream)
       : data_(target.data), stride_(target.stride), length_(length), stream_(&stream) {}
@@ -160,14 +69,35 @@ class Sink {
     put(d, out, n, outputs, face, follow);
   }
 
-  /// Where the n outputs of each of kFaces faces of a step, the first of which is number `face`, go to if they follow
-  /// each other; null if they don't.
-  template <int kFaces>
-  HWY_INLINE float* inRow(const Kernels::Outputs& outputs, std::int32_t face, int n) const {
-    constexpr std::int32_t kLast = kFaces - 1;
-    if (outputs.each == nullptr) return place(outputs.first + face * n, kFaces * n);
-    const std::int32_t* const each = outputs.each + face;
-    return each[kLast] == each[0] + kLast * n ? place(each[0], kFaces * n) : nullptr;
+  /// For forVectors(): how many of `vectors` times `points` outputs that follow each other from `first` on have room.
+  HWY_INLINE std::int32_t fits(std::int32_t first, std::int32_t vectors, int points) const {
+    if constexpr (!kStreamed) return vectors;
+    return std::min(vectors, stream_->roomFor(data_ + first * stride(), points * stride()));
+  }
+  /// Where `points` of them are to be put.
+  HWY_INLINE float* begin(std::int32_t first, int points) const {
+    if constexpr (!kStreamed) return data_ + first * stride();
+    return stream_->take(points * stride());
+  }
+  /// The same for faces whose outputs don't follow each other.
+  HWY_INLINE float* beginApart() const { return kStreamed ? stream_->apart() : nullptr; }
+  /// Puts the n outputs of each of a vector's faces to `to`; returns where the next vector's go.
+  template <class D>
+  HWY_INLINE float* putNext(D d, const hn::Vec<D>* out, int n, float* to, const Kernels::Outputs& outputs,
+                            std::int32_t face) const {
+    if constexpr (!kStreamed) {
+      if (to == nullptr) {
+        putApart(d, out, n, outputs.each + face);
+        return nullptr;
+      }
+      if constexpr (kPacked > 0) announce(to, kBlocks<D> * n * kPacked);
+    }
+    putRow(d, out, n, to);
+    return to + kBlocks<D> * n * stride();
+  }
+  /// Behind faces whose outputs don't follow each other.
+  HWY_INLINE void endApart(const Kernels::Outputs& outputs, std::int32_t face, int faces, int n) const {
+    if constexpr (kStreamed) stream_->takeApart(data_, stride(), outputs.each + face, faces, n * stride());
   }
 
  private:
@@ -250,6 +180,66 @@ class Sink {
   int length_;
   Stream* stream_;
 };
+
+/// Stands for the sink of what isn't written.
+struct NoSink {
+  HWY_INLINE std::int32_t fits(std::int32_t, std::int32_t vectors, int) const { return vectors; }
+  HWY_INLINE float* begin(std::int32_t, int) const { return nullptr; }
+  HWY_INLINE float* beginApart() const { return nullptr; }
+  template <class D>
+  HWY_INLINE float* putNext(D, const hn::Vec<D>*, int, float*, const Kernels::Outputs&, std::int32_t) const {
+    return nullptr;
+  }
+  HWY_INLINE void endApart(const Kernels::Outputs&, std::int32_t, int, int) const {}
+};
+
+/// How many times K faces from face `face` on, `most` times at most, have n outputs each that follow each other; 0 if
+/// those of the first K don't. Faces of a step have ascending outputs: the first and the last tell.
+template <int K>
+HWY_INLINE std::int32_t vectorsInRow(const Kernels::Outputs& outputs, int n, std::int32_t face, std::int32_t most) {
+  if (outputs.each == nullptr) return most;
+  const std::int32_t* const each = outputs.each + face;
+  std::int32_t vectors = 0;
+  while (vectors < most && each[K * vectors + K - 1] == each[0] + (K * vectors + K - 1) * n) ++vectors;
+  return vectors;
+}
+
+/// Calls body(face, to, alsoTo) for faces `face`, face + K, .. of a step as long as there are K more; returns the first
+/// that is left. Their n outputs each go to `sink` and to `also`, at which body puts them: to = sink.putNext(.., to,
+/// ..). `outputs`: null if nothing is written.
+/// Streams are asked for room for rows of faces, not for each vector: no vector stays in a register over a call, and
+/// all of a kernel's weights would go to memory and back (measured: 5 to 10 % of a tile's time). Straight into the
+/// target there are no calls, and short rows would be loops whose end nobody foresees (measured: 3 %).
+template <int K, class Sink, class Also, class Body>
+HWY_INLINE std::int32_t forVectors(const Kernels::Outputs* outputs, int n, std::int32_t face, std::int32_t end,
+                                   Sink sink, Also also, const Body& body) {
+  static_assert(K * 8 <= kMostTogether);  // faces of more sides come one at a time
+  while (face + K <= end) {
+    const std::int32_t begin = face;
+    std::int32_t vectors = Sink::kStreamed ? (end - face) / K : 1;
+    float* to = nullptr;
+    float* alsoTo = nullptr;
+    bool follow = true;
+    if (outputs != nullptr) {
+      const std::int32_t first = outputs->of(face, n);
+      vectors = vectorsInRow<K>(*outputs, n, face, also.fits(first, sink.fits(first, vectors, K * n), K * n));
+      follow = vectors > 0;
+      to = follow ? sink.begin(first, vectors * K * n) : sink.beginApart();
+      alsoTo = follow ? also.begin(first, vectors * K * n) : also.beginApart();
+    }
+    if constexpr (Sink::kStreamed) {
+      for (const std::int32_t stop = face + std::max(vectors, 1) * K; face < stop; face += K) body(face, to, alsoTo);
+    } else {
+      body(face, to, alsoTo);
+      face += K;
+    }
+    if (!follow) {
+      sink.endApart(*outputs, begin, K, n);
+      also.endApart(*outputs, begin, K, n);
+    }
+  }
+  return face;
+}
 
 /// Calls body(sink) with the sink for points of kPacked numbers without gaps.
 template <int kPacked, class Body>

@@ -40,6 +40,7 @@ struct StepFaces {
   std::int32_t stages;
   StageTarget targets[kMostStages];
   const float* weights[kMostStages];
+  const Kernels::Outputs* outputs = nullptr;  ///< of the stage that is written; null if none is
   bool fours;
   float* crosses = nullptr;            ///< where T1 x T2 of each face goes, kTileStride apart, if wanted
   const float* spanWeights = nullptr;  ///< and of what: a | b of FrameBatch, null where crossOfCorners does
@@ -54,6 +55,7 @@ struct StepFaces {
     for (std::int32_t i = 0; i < stages; ++i) {
       targets[i] = Kernels::stageTarget(table, s, i, views.level, views.last);
       weights[i] = table.weightsSingle.data() + table.stages[at(s.firstStage + i)].firstWeight;
+      if (targets[i].wanted) outputs = &targets[i].outputs;
     }
     if (views.normals == nullptr) return;
     const Far::TileNormals& normals = table.normals;
@@ -110,11 +112,12 @@ HWY_INLINE void keep(D d, const hn::Vec<D>* out, int n, const StageTarget& stage
   }
 }
 
+/// `to`: of `sink`, if the stage is written.
 template <bool kFours, class D, class Sink>
 HWY_INLINE void storeStage(D d, const hn::Vec<D>* out, int n, const StageTarget& stage, std::int32_t face, float* own,
-                           Sink sink) {
+                           Sink sink, float*& to) {
   if (stage.kept >= 0) keep<kFours>(d, out, n, stage, face, own);
-  if (stage.wanted) sink.put(d, out, n, stage.outputs, face);
+  if (stage.wanted) to = sink.putNext(d, out, n, to, stage.outputs, face);
 }
 
 /// Faces `face`, face + K, .. of the step as long as there are K more, whose matrix is the same at all stages. Returns
@@ -127,29 +130,29 @@ HWY_INLINE std::int32_t evolve(D d, const StepFaces& faces, std::int32_t face, S
   float* const crosses = faces.crosses;
   const StageTarget* const first = faces.targets;
   const StageTarget* const last = first + faces.stages - 1;
-  const std::int32_t end = faces.step.count;
   const TilePoint* index = faces.index + at(face) * kEach;
-  for (; face + kBlocks<D> <= end; face += kBlocks<D>, index += kBlocks<D> * kEach) {
+  const auto body = [&](std::int32_t g, float*& to, float*) HWY_ATTR {
     hn::Vec<D> p[N];
     hn::Vec<D> out[N];
     loadCorners<N, kPairs>(d, own, index, p);
+    index += kBlocks<D> * kEach;
     if (crosses != nullptr) {
-      float* const to = crosses + std::int64_t{kTileStride} * face;
+      float* const cross = crosses + std::int64_t{kTileStride} * g;
       if ((N != 4 && N != 6) || faces.spanWeights != nullptr) {
-        hn::StoreU(crossOfSpans(d, faces.spanWeights, p, N), d, to);
+        hn::StoreU(crossOfSpans(d, faces.spanWeights, p, N), d, cross);
       } else if constexpr (N == 4 || N == 6) {
-        hn::StoreU(crossOfCorners<N>(d, p), d, to);
+        hn::StoreU(crossOfCorners<N>(d, p), d, cross);
       }
     }
     for (const StageTarget* stage = first;; ++stage) {
       kernel(p, out);
-      storeStage<kFours>(d, out, N, *stage, face, own, sink);
+      storeStage<kFours>(d, out, N, *stage, g, own, sink, to);
       if (stage == last) break;
       HWY_UNROLL(8)
       for (int i = 0; i < N; ++i) p[i] = out[i];
     }
-  }
-  return face;
+  };
+  return forVectors<kBlocks<D>>(faces.outputs, N, face, faces.step.count, sink, NoSink{}, body);
 }
 
 template <CirculantForm kForm, int N, bool kFours, bool kPairs, class Sink>
@@ -179,26 +182,27 @@ void facesOfAnyKind(const StepFaces& faces, Sink sink) {
   const int n = faces.step.width;
   BlockVector p[Far::kLargestCirculant];
   BlockVector out[Far::kLargestCirculant];
-  for (std::int32_t face = 0; face < faces.step.count; ++face) {
+  const auto body = [&](std::int32_t face, float*& to, float*) HWY_ATTR {
     if (faces.step.pairs) {
       loadCorners<0, true>(d, faces.own, faces.index + face * (n / 2), p, n);
     } else {
       loadCorners<0, false>(d, faces.own, faces.index + face * n, p, n);
     }
     if (faces.crosses != nullptr) {
-      float* const to = faces.crosses + std::int64_t{kTileStride} * face;
-      hn::Store(crossOfAny(d, faces, p), d, to);
+      float* const cross = faces.crosses + std::int64_t{kTileStride} * face;
+      hn::Store(crossOfAny(d, faces, p), d, cross);
     }
     for (std::int32_t s = 0; s < faces.stages; ++s) {
       circulantOfAnyForm(d, faces.step.form, faces.weights[s], p, out, n);
       if (faces.fours) {
-        storeStage<true>(d, out, n, faces.targets[s], face, faces.own, sink);
+        storeStage<true>(d, out, n, faces.targets[s], face, faces.own, sink, to);
       } else {
-        storeStage<false>(d, out, n, faces.targets[s], face, faces.own, sink);
+        storeStage<false>(d, out, n, faces.targets[s], face, faces.own, sink, to);
       }
       for (int i = 0; i < n; ++i) p[i] = out[i];
     }
-  }
+  };
+  forVectors<1>(faces.outputs, n, 0, faces.step.count, sink, NoSink{}, body);
 }
 
 template <class Sink>

@@ -99,8 +99,8 @@ HWY_INLINE hn::Vec<D> ringCross(D d, hn::Vec<D> own, hn::Vec<D> before, const Wi
 
 /// Normals of the vertices of faces whose points of the level behind are `own`, the first of them face `face`.
 template <int N, class D, class Sink>
-HWY_INLINE void ringNormals(D d, const Kernels::RingFaces& faces, const float* points, const hn::Vec<D>* own,
-                            std::int32_t face, Sink sink) {
+HWY_INLINE float* ringNormals(D d, const Kernels::RingFaces& faces, const float* points, const hn::Vec<D>* own,
+                              std::int32_t face, Sink sink, float* to) {
   constexpr int kMost = N > 0 ? N : Far::kLargestCirculant;
   const int n = N > 0 ? N : faces.step.width;
   const Far::TilePoint* const windows = faces.window + face * n;
@@ -115,7 +115,7 @@ HWY_INLINE void ringNormals(D d, const Kernels::RingFaces& faces, const float* p
   }
   v[n - 1] = ringCross(d, own[n - 1], own[n - 2], left, first);
   makeAllUnit(d, v, n);
-  sink.put(d, v, n, faces.outputs, face);
+  return sink.putNext(d, v, n, to, faces.outputs, face);
 }
 
 /// Where the first of a face's points of the last level stands.
@@ -125,55 +125,61 @@ HWY_INLINE const float* cornersOfRing(const Kernels::RingFaces& faces, const flo
 }
 
 /// Faces `face`, face + K, .. as long as there are K more. Returns the first that is left.
-template <class Known, class D, class Sink>
+template <class Known, class D, class Sink, class Points>
 HWY_INLINE std::int32_t ringsOfForm(D d, const Kernels::RingFaces& faces, const float* weights, const float* points,
-                                    std::int32_t face, Sink sink) {
+                                    std::int32_t face, Sink sink, Points written) {
   constexpr int N = Known::kSides;
   constexpr int kStep = Kernels::kTileStride * Far::kTileFours;
   const Circulant<Known::kForm, N, D> form(d, weights);
-  for (; face + kBlocks<D> <= faces.step.count; face += kBlocks<D>) {
-    const float* const corners = cornersOfRing(faces, points, face);
+  const auto body = [&](std::int32_t g, float*& to, float*& pointsTo) HWY_ATTR {
+    const float* const corners = cornersOfRing(faces, points, g);
     hn::Vec<D> p[N], own[N];
     HWY_UNROLL(8)
     for (int i = 0; i < N; ++i) p[i] = hn::LoadU(d, corners + i * kStep);
+    pointsTo = written.putNext(d, p, N, pointsTo, faces.outputs, g);
     form(p, own);
-    ringNormals<N>(d, faces, points, own, face, sink);
-  }
-  return face;
+    to = ringNormals<N>(d, faces, points, own, g, sink, to);
+  };
+  return forVectors<kBlocks<D>>(&faces.outputs, N, face, faces.step.count, sink, written, body);
 }
 
 /// Faces of any number of sides, one at a time.
-template <class Sink>
-void ringsOfAnyForm(const Kernels::RingFaces& faces, const float* weights, const float* points, Sink sink) {
+template <class Sink, class Points>
+void ringsOfAnyForm(const Kernels::RingFaces& faces, const float* weights, const float* points, Sink sink,
+                    Points written) {
   const Block d;
   const int n = faces.step.width;
-  for (std::int32_t face = 0; face < faces.step.count; ++face) {
+  const auto body = [&](std::int32_t face, float*& to, float*& pointsTo) HWY_ATTR {
     const float* const corners = cornersOfRing(faces, points, face);
     BlockVector p[Far::kLargestCirculant], own[Far::kLargestCirculant];
     for (int i = 0; i < n; ++i) p[i] = hn::Load(d, corners + i * Kernels::kTileStride * Far::kTileFours);
+    pointsTo = written.putNext(d, p, n, pointsTo, faces.outputs, face);
     circulantOfAnyForm(d, faces.step.form, weights, p, own, n);
-    ringNormals<0>(d, faces, points, own, face, sink);
-  }
+    to = ringNormals<0>(d, faces, points, own, face, sink, to);
+  };
+  forVectors<1>(&faces.outputs, n, 0, faces.step.count, sink, written, body);
 }
 
-template <class Sink>
-void ringNormalsOf(const Far::TileTable& table, const Far::TileRings& rings, const float* points, Sink sink) {
+template <class Sink, class Points>
+void ringNormalsOf(const Far::TileTable& table, const Far::TileRings& rings, const float* points, Sink sink,
+                   Points written) {
   const Kernels::RingFaces faces = Kernels::ringFaces(table, rings);
   const float* const weights = table.weightsSingle.data() + rings.firstWeight;
   forForms(faces.step.form, faces.step.width, [&](auto known) HWY_ATTR {
     using Known = decltype(known);
     if constexpr (Known::kSides > 0) {
       using Wide = HWY_CAPPED(float, 16);
-      const std::int32_t face = ringsOfForm<Known>(Wide(), faces, weights, points, 0, sink);
-      if constexpr (kBlocks < Wide >> 1) ringsOfForm<Known>(Block(), faces, weights, points, face, sink);
+      const std::int32_t face = ringsOfForm<Known>(Wide(), faces, weights, points, 0, sink, written);
+      if constexpr (kBlocks < Wide >> 1) ringsOfForm<Known>(Block(), faces, weights, points, face, sink, written);
     } else {
-      ringsOfAnyForm(faces, weights, points, sink);
+      ringsOfAnyForm(faces, weights, points, sink, written);
     }
   });
 }
 
-template <class Sink>
-void limitNormals(const Far::TileTable& table, std::int32_t tile, const float* points, Sink sink) {
+/// `written`: where the points of rings go, too.
+template <class Sink, class Points>
+void limitNormals(const Far::TileTable& table, std::int32_t tile, const float* points, Sink sink, Points written) {
   const Far::TileLimits& limits = table.limits;
   const Far::TileLimits::Range& range = limits.tiles[at(tile)];
   for (std::int32_t b = range.first; b < range.first + range.count; ++b) {
@@ -191,7 +197,7 @@ void limitNormals(const Far::TileTable& table, std::int32_t tile, const float* p
   }
   const Far::TileLimits::Range& rings = limits.ringTiles[at(tile)];
   for (const Far::TileRings& some : std::span(limits.rings).subspan(at(rings.first), at(rings.count))) {
-    ringNormalsOf(table, some, points, sink);
+    ringNormalsOf(table, some, points, sink, written);
   }
 }
 

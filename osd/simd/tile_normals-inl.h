@@ -203,11 +203,11 @@ HWY_INLINE std::int32_t cornerNormals(D d, const CornerFaces& corners, Sink sink
   const int neighbours = kNeighbours > 0 ? kNeighbours : corners.neighbours;
   const std::size_t stride = at(1 + n * neighbours);
   const float* const normals = corners.normals;
-  for (; g + kTogether * kBlocks<D> <= end; g += kTogether * kBlocks<D>) {
+  const auto body = [&](std::int32_t face, float*& to, float*) HWY_ATTR {
     hn::Vec<D> v[kTogether * (N > 0 ? N : Far::kLargestCirculant)];
     HWY_UNROLL(2)
     for (int t = 0; t < kTogether; ++t) {
-      const Far::TilePoint* index = corners.faces + at(g + t * kBlocks<D>) * stride;
+      const Far::TilePoint* index = corners.faces + at(face + t * kBlocks<D>) * stride;
       const auto own = loadOwn(d, normals, index++, stride);
       const auto twice = own + own;
       HWY_UNROLL(8)
@@ -218,9 +218,11 @@ HWY_INLINE std::int32_t cornerNormals(D d, const CornerFaces& corners, Sink sink
     }
     makeAllUnit(d, v, kTogether * n);
     HWY_UNROLL(2)
-    for (int t = 0; t < kTogether; ++t) sink.put(d, v + t * n, n, corners.outputs, g + t * kBlocks<D>);
-  }
-  return g;
+    for (int t = 0; t < kTogether; ++t) {
+      to = sink.putNext(d, v + t * n, n, to, corners.outputs, face + t * kBlocks<D>);
+    }
+  };
+  return forVectors<kTogether * kBlocks<D>>(&corners.outputs, n, g, end, sink, NoSink{}, body);
 }
 
 /// The same, as wide as it goes.
@@ -261,17 +263,17 @@ template <int N, class Sink>
 HWY_INLINE std::int32_t packedCornerNormals(const CornerFaces& corners, Sink sink, std::int32_t g) {
   constexpr int kFaces = kPackedFaces<N>;
   const Packing d;
-  for (; g + kFaces <= corners.step.count; g += kFaces) {
-    float* const p = sink.template inRow<kFaces>(corners.outputs, g, N);
-    if (p == nullptr) {
-      wideCornerNormals<N, 1>(corners, sink, g, g + kFaces);
-      continue;
+  const auto body = [&](std::int32_t faces, float*& to, float*) HWY_ATTR {
+    if (to == nullptr) {
+      wideCornerNormals<N, 1>(corners, sink, faces, faces + kFaces);
+      return;
     }
-    const Far::TilePoint* face = corners.faces + at(g) * (N + 1);
+    const Far::TilePoint* face = corners.faces + at(faces) * (N + 1);
     packedUnits<kFaces * N>(
-        d, [&](auto j) HWY_ATTR { return fourSums<N, decltype(j)::value>(d, corners.normals, face); }, p);
-  }
-  return g;
+        d, [&](auto j) HWY_ATTR { return fourSums<N, decltype(j)::value>(d, corners.normals, face); }, to);
+    to += 3 * kFaces * N;
+  };
+  return forVectors<kFaces>(&corners.outputs, N, g, corners.step.count, sink, NoSink{}, body);
 }
 
 template <int N, class Sink>

@@ -21,7 +21,8 @@ void evaluateTileNormals(const Far::TileTable& table, std::int32_t tile, const f
   const bool exact = table.normalKind == Far::TileNormalKind::exact;
   if (!exact) faceNormals(table, tile, points, views);
   withSmallSink(views.target, 3, views.stream, [&](auto sink) HWY_ATTR {
-    exact ? limitNormals(table, tile, points, sink) : vertexNormals(table, table.tiles[at(tile)], views, sink);
+    exact ? limitNormals(table, tile, points, sink, NoSink{})
+          : vertexNormals(table, table.tiles[at(tile)], views, sink);
   });
 #else
   Kernels::evaluateTileNormals(table, tile, points, views);
