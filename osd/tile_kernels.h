@@ -42,6 +42,8 @@ struct TileViews {
                             ///< caches; none: as all else
   Real* normals = nullptr;  ///< NormalViews::scratch, where fast normals follow: kernels that have a face's corners at
                             ///< hand may leave T1 x T2 there for those that make it unit
+  std::span<const Far::TileRings> later = {};  ///< the steps whose points of the wanted level leave with their normals:
+                                               ///< NormalViews::points
 };
 
 /// A place in the target for each face (or row) of a step: that of its first point.
@@ -75,6 +77,16 @@ inline StageTarget stageTarget(const Far::TileTable& table, const Far::TileStep&
   if (here < level || last > level) target.kept = stage.firstPoint;
   target.wanted = here == level && stage.firstOutput >= 0;
   if (target.wanted) target.outputs = outputsFrom(table, stage.firstOutput);
+  return target;
+}
+
+/// The same without the points that leave later.
+template <class Real>
+StageTarget stageTarget(const Far::TileTable& table, const Far::TileStep& step, std::int32_t s,
+                        const TileViews<Real>& views) {
+  StageTarget target = stageTarget(table, step, s, views.level, views.last);
+  const auto number = &step - table.steps.data();
+  for (const Far::TileRings& rings : views.later) target.wanted &= rings.step != number;
   return target;
 }
 
@@ -123,7 +135,7 @@ void tileFaces(const Far::TileTable& table, const Far::TileStep& step, std::int3
     for (std::int32_t i = 0; i < n; ++i) p[i] = load<Width>(read.point(index[i]));
     const Far::FacePlaces places = Far::placesOfFace(table.places, g, n);
     for (std::int32_t s = 0; s < stages; ++s) {
-      const StageTarget target = stageTarget(table, step, s, views.level, views.last);
+      const StageTarget target = stageTarget(table, step, s, views);
       const bool kept = target.kept >= 0;
       const View<Real> out = kept ? View<Real>{own.point(target.kept + places.first), own.stride * places.step}
                                   : View<Real>{views.target.point(target.outputs.of(g, n)), views.target.stride};
@@ -150,7 +162,7 @@ void storeRow(const std::array<Real, at(Width)>& point, const StageTarget& targe
 
 template <int Width, class Real>
 void tileDense(const Far::TileTable& table, const Far::TileStep& step, const TileViews<Real>& views) {
-  const StageTarget target = stageTarget(table, step, 0, views.level, views.last);
+  const StageTarget target = stageTarget(table, step, 0, views);
   const View<const Real> own = byTilePoint<Real>(views.scratch);
   const Real* w = table.weightsAs<Real>().data() + table.stages[at(step.firstStage)].firstWeight;
   const Far::TilePoint* index = table.indices.data() + step.firstIndex;
@@ -161,7 +173,7 @@ void tileDense(const Far::TileTable& table, const Far::TileStep& step, const Til
 
 template <int Width, class Real>
 void tileLoose(const Far::TileTable& table, const Far::TileStep& step, const TileViews<Real>& views) {
-  const StageTarget target = stageTarget(table, step, 0, views.level, views.last);
+  const StageTarget target = stageTarget(table, step, 0, views);
   const View<const Real> own = byTilePoint<Real>(views.scratch);
   const Real* weights = table.weightsAs<Real>().data();
   const Far::TilePoint* index = table.indices.data() + step.firstIndex;

@@ -17,6 +17,8 @@ struct NormalViews {
   View<Real> target;        ///< normals of the last level
   Real* scratch;            ///< the tile's own face normals, kTileStride apart
   Real* stream = nullptr;   ///< as TileViews::stream
+  View<Real> points = {};   ///< points of the last level, three numbers each: those that TileViews::later tells leave
+                            ///< with their normals. None: all have been written
 };
 
 /// The normals of `frames`, to `to` and behind it. w: their weights, as FrameBatch has them.
@@ -130,6 +132,10 @@ void ringNormals(const Far::TileTable& table, const RingFaces& faces, const Real
                                    std::int64_t{kTileStride} * places.step};
     std::array<Real, 3> p[kMost];
     for (std::int32_t i = 0; i < n; ++i) p[i] = load<3>(corners.point(i));
+    const std::int32_t output = faces.outputs.of(g, n);
+    if (views.points.data != nullptr) {
+      for (std::int32_t i = 0; i < n; ++i) store(p[i], views.points.point(output + i));
+    }
     Real behind[3 * kMost];
     circulantFace<N>(faces.step.form, weights, p, n, View<Real>{behind, 3}, 0);
     const auto own = [&](std::int32_t i) { return load<3>(behind + 3 * (i < 0 ? i + n : i)); };
@@ -142,7 +148,7 @@ void ringNormals(const Far::TileTable& table, const RingFaces& faces, const Real
                                               across(i, 0), across(i + 1, 2), across(i + 1, 1)};
       const auto a = ((hexagon[0] + hexagon[1]) - hexagon[3]) - hexagon[4];
       const auto b = ((hexagon[1] + hexagon[2]) - hexagon[4]) - hexagon[5];
-      store(unitNormal(a, b), views.target.point(faces.outputs.of(g, n) + i));
+      store(unitNormal(a, b), views.target.point(output + i));
     }
   }
 }

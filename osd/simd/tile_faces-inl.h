@@ -53,7 +53,7 @@ struct StepFaces {
         stages(stageCount),
         fours(table.places == Far::TilePlaces::fours) {
     for (std::int32_t i = 0; i < stages; ++i) {
-      targets[i] = Kernels::stageTarget(table, s, i, views.level, views.last);
+      targets[i] = Kernels::stageTarget(table, s, i, views);
       weights[i] = table.weightsSingle.data() + table.stages[at(s.firstStage + i)].firstWeight;
       if (targets[i].wanted) outputs = &targets[i].outputs;
     }

@@ -20,6 +20,12 @@ void evaluateTileNormals(const Far::TileTable& table, std::int32_t tile, const f
 #if HONEYCOMB_HAS_VECTORS
   const bool exact = table.normalKind == Far::TileNormalKind::exact;
   if (!exact) faceNormals(table, tile, points, views);
+  if (exact && views.points.data != nullptr) {
+    Stream none(nullptr);
+    const auto packed = [&](const View<float>& target) HWY_ATTR { return Sink<3, false>(target, 3, none); };
+    limitNormals(table, tile, points, packed(views.target), packed(views.points));
+    return;
+  }
   withSmallSink(views.target, 3, views.stream, [&](auto sink) HWY_ATTR {
     exact ? limitNormals(table, tile, points, sink, NoSink{})
           : vertexNormals(table, table.tiles[at(tile)], views, sink);

@@ -51,7 +51,7 @@ struct DenseRows {
       : own(views.scratch),
         index(table.indices.data() + step.firstIndex),
         weights(table.weightsSingle.data() + table.stages[at(step.firstStage)].firstWeight),
-        target(Kernels::stageTarget(table, step, 0, views.level, views.last)),
+        target(Kernels::stageTarget(table, step, 0, views)),
         count(step.count),
         width(step.width) {}
 };
@@ -92,7 +92,7 @@ void denseRows(const DenseRows& rows, Sink sink) {
 template <class Sink>
 void looseRows(const Far::TileTable& table, const TileStep& step, const Views& views, Sink sink) {
   const Block d;
-  const StageTarget target = Kernels::stageTarget(table, step, 0, views.level, views.last);
+  const StageTarget target = Kernels::stageTarget(table, step, 0, views);
   const TilePoint* index = table.indices.data() + step.firstIndex;
   for (std::int32_t r = 0; r < step.count; ++r) {
     const Far::TileRow& row = table.rows[at(step.firstRow + r)];
