@@ -100,14 +100,14 @@ class TileProof {
   const char* wrongWithStage(const TileStep& step, std::int32_t s, std::int32_t points) const {
     const TileStage& stage = table_.stages[at(step.firstStage + s)];
     const bool faces = step.kind == TileStep::Kind::circulant;
-    const std::int32_t each = faces ? step.width : 1;
+    const std::int32_t each = step.pointsEach();
     const std::int32_t level = step.level + s;
     const std::int64_t weights = faces                                ? formWeightCount(step.form, step.width)
                                  : step.kind == TileStep::Kind::dense ? step.width
                                                                       : 0;
     if (!hasWeights(stage.firstWeight, weights)) return "a stage's weights aren't there";
     if (stage.firstPoint < -1 || stage.firstOutput < -1) return "a stage has no such place";
-    const std::int64_t kept = faces ? roomOfFaces(table_.places, step.count, each) : step.count;
+    const std::int64_t kept = roomOfFaces(step.placesIn(table_.places), step.count, each);
     if (stage.firstPoint >= 0 && !liesWithin(stage.firstPoint, kept, points))
       return "a stage writes past the tile's points";
     if (stage.firstOutput >= 0 && !areOutputs(stage.firstOutput, step.count, each, level))

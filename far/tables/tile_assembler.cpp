@@ -263,8 +263,7 @@ TilePoint TileAssembler::ownNumber(std::int32_t k, std::int32_t point, const Til
   const Held& held = held_[at(level.pointChain[at(point)])];
   const TileStep& step = parts.steps[at(held.step)];
   const std::int32_t first = parts.stages[at(step.firstStage + k - step.level)].firstPoint;
-  if (step.kind != TileStep::Kind::circulant) return tilePoint(first + held.place);
-  const FacePlaces places = placesOfFace(plan_.places, held.place, step.width);
+  const FacePlaces places = placesOfFace(step.placesIn(plan_.places), held.place, step.pointsEach());
   return tilePoint(first + places.first + places.step * level.pointPlace[at(point)]);
 }
 
@@ -293,9 +292,7 @@ void TileAssembler::addStages(std::int32_t k, const UnitBatch& batch, std::span<
       // Fours begin on a cache line.
       if (plan_.places == TilePlaces::fours) pointCount_ = (pointCount_ + kTileFours - 1) / kTileFours * kTileFours;
       stage.firstPoint = pointCount_;
-      pointCount_ += step.kind == TileStep::Kind::circulant
-                         ? static_cast<std::int32_t>(roomOfFaces(plan_.places, step.count, step.width))
-                         : step.count;
+      pointCount_ += static_cast<std::int32_t>(roomOfFaces(step.placesIn(plan_.places), step.count, step.pointsEach()));
     }
     if (owned && j <= units.wanted()) addOutputs(j, *here, alive, stage, parts);
     parts.stages.push_back(stage);

@@ -113,9 +113,6 @@ class TileAssembler {
   }
   template <class Visit>
   void forWritten(const TileStep& step, const TileParts& parts, const Visit& visit) const;
-  static std::int32_t outputsOf(const TileStep& step) {
-    return step.kind == TileStep::Kind::circulant ? step.width : 1;
-  }
   void touch(std::int32_t chain, std::int32_t level);
   void touchPoint(std::int32_t k, std::int32_t point);
   void import(std::int32_t point);

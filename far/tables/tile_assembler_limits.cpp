@@ -47,7 +47,7 @@ void TileAssembler::forWritten(const TileStep& step, const TileParts& parts, con
   if (first < 0) return;
   const bool inRow = plan_.order == TileOrder::tiles;
   for (std::int32_t i = 0; i < step.count; ++i) {
-    const std::int32_t output = first + (inRow ? i * outputsOf(step) : i);
+    const std::int32_t output = first + (inRow ? i * step.pointsEach() : i);
     visit(inRow ? parts.written[at(output)] : parts.outputs[at(output)], output);
   }
 }
@@ -142,7 +142,7 @@ void TileAssembler::addRings(std::size_t number, std::int32_t chain, TileParts& 
 /// Faces whose points have frames of one shape stay together; of others each point is alone.
 void TileAssembler::addLimitsOf(const TileStep& step, TileParts& parts) const {
   const TileLimitPlan& plan = *plan_.limits;
-  const std::int32_t each = outputsOf(step);
+  const std::int32_t each = step.pointsEach();
   const bool inRow = plan_.order == TileOrder::tiles;
   FrameGrouping groups(plan, parts.limits, inRow);
   const auto addPoints = [&](const TileLimitPlan::Place& place) {

@@ -221,7 +221,7 @@ std::vector<std::int32_t> TileTable::tilesOf(std::int32_t level, std::span<const
     if (level < step.level || level >= step.level + step.stageCount) return false;
     const std::int32_t first = stages[at(step.firstStage + level - step.level)].firstOutput;
     if (first < 0) return false;
-    const std::int32_t each = step.kind == TileStep::Kind::circulant ? step.width : 1;
+    const std::int32_t each = step.pointsEach();
     for (std::int32_t i = 0; i < step.count * each; ++i) {
       const std::int32_t point =
           order == TileOrder::tiles ? written[at(first + i)] : outputs[at(first + i / each)] + i % each;

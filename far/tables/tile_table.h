@@ -81,7 +81,7 @@ constexpr TilePoint tilePoint(std::int32_t number) {
 struct TileStage {
   std::int32_t firstWeight = 0;   ///< in TileTable::weights: the form of a circulant, the weights of dense rows
   std::int32_t firstPoint = -1;   ///< the tile's own number of the first output, the others stand behind it as
-                                  ///< TilePlaces tells; -1: nobody in the tile reads them
+                                  ///< TileStep::placesIn tells; -1: nobody in the tile reads them
   std::int32_t firstOutput = -1;  ///< where they go when this level is the wanted one; -1: another tile writes them.
                                   ///< TileOrder::levels: in TileTable::outputs, one entry a face or row, its first
                                   ///< point; TileOrder::tiles: the first point, the others follow
@@ -106,6 +106,11 @@ struct TileStep {
   std::int32_t firstIndex = 0;
   std::int32_t firstStage = 0;
   std::int32_t firstRow = 0;
+
+  /// Points a face; a row is one.
+  std::int32_t pointsEach() const { return kind == Kind::circulant ? width : 1; }
+  /// How its points stand in a tile whose faces stand as `faces` tells: rows always one behind the other.
+  TilePlaces placesIn(TilePlaces faces) const { return kind == Kind::circulant ? faces : TilePlaces::faces; }
 };
 
 /// The own points that the faces of a step read at birth. The corners of what becomes of a vertex are neighbours in

@@ -99,17 +99,12 @@ void TileImageBuilder::numberPoints(const Far::Tile& tile) {
 }
 
 TileWord TileImageBuilder::stageStride(const TileStep& step) {
-  return evenFrom(static_cast<TileWord>(step.count * pointsEach(step)));
-}
-
-// Rows stand one after the other.
-Far::TilePlaces TileImageBuilder::placesOf(const TileStep& step) const {
-  return step.kind == TileStep::Kind::circulant ? table_.places : Far::TilePlaces::faces;
+  return evenFrom(static_cast<TileWord>(step.count * step.pointsEach()));
 }
 
 void TileImageBuilder::numberStage(const TileStep& step, std::int32_t firstPoint, TileWord number) {
-  const Far::TilePlaces places = placesOf(step);
-  const std::int32_t points = pointsEach(step);
+  const Far::TilePlaces places = step.placesIn(table_.places);
+  const std::int32_t points = step.pointsEach();
   for (std::int32_t item = 0; item < step.count; ++item) {
     const Far::FacePlaces place = Far::placesOfFace(places, item, points);
     for (std::int32_t i = 0; i < points; ++i) numbers_[at(firstPoint + place.first + i * place.step)] = number++;
@@ -215,7 +210,7 @@ TileWord TileImageBuilder::addRecords(const TileStep& step, bool written) {
     const Far::TilePoint* index = read.of(item, room.data());
     std::transform(index, index + step.width, corners.begin(), [&](Far::TilePoint p) { return ownNumber(p); });
     pushHalves(corners);
-    const auto first = written ? static_cast<TileWord>(outputs.of(item, faces ? step.width : 1)) : 0;
+    const auto first = written ? static_cast<TileWord>(outputs.of(item, step.pointsEach())) : 0;
     image_.words.push_back(first);
     image_.pairs = image_.pairs && (!faces || step.width % 2 != 0 || first % 2 == 0);
     image_.fours = image_.fours && image_.pairs && (!faces || step.width % 4 != 0 || first % 4 == 0);
@@ -254,8 +249,8 @@ TileWord TileImageBuilder::addStages(const TileStep& step, std::int32_t stages) 
       weight = weights(stage.firstWeight, Far::formWeightCount(step.form, step.width));
     }
     if (step.kind == TileStep::Kind::dense) weight = weights(stage.firstWeight, step.width);
-    const std::int32_t first = stage.firstPoint + Far::placesOfFace(placesOf(step), 0, step.width).first;
-    const TileWord kept = stage.firstPoint < 0 ? 0 : numbers_[at(first)];
+    const Far::FacePlaces place = Far::placesOfFace(step.placesIn(table_.places), 0, step.pointsEach());
+    const TileWord kept = stage.firstPoint < 0 ? 0 : numbers_[at(stage.firstPoint + place.first)];
     words.insert(words.end(), {kept, weight, stageStride(step), 0});
   }
   const TileWord first = texels();

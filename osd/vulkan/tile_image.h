@@ -77,12 +77,8 @@ class TileImageBuilder {
   void numberPoints(const Far::Tile& tile);
   /// The first even number from `number` on.
   static constexpr TileWord evenFrom(TileWord number) { return number + number % 2; }
-  static std::int32_t pointsEach(const Far::TileStep& step) {
-    return step.kind == Far::TileStep::Kind::circulant ? step.width : 1;
-  }
   /// From the points that a stage keeps to those of the next.
   static TileWord stageStride(const Far::TileStep& step);
-  Far::TilePlaces placesOf(const Far::TileStep& step) const;
   void numberStage(const Far::TileStep& step, std::int32_t firstPoint, TileWord number);
   TileWord ownNumber(Far::TilePoint point) const { return numbers_[point / 2U]; }
   void addImports(const Far::Tile& tile);
