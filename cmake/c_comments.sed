@@ -1,4 +1,4 @@
-# honeycomb.h for doxygen: its comments in doxygen's notation. Headings aren't anybody's.
+# The headers of the C API for doxygen: their comments in doxygen's notation. Headings aren't anybody's.
 1s|^/\* |/** @file\n|
 /^\/\* ---- .* ---- \*\/$/d
 s|^\( *\)/\* |\1/** |

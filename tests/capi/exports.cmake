@@ -1,4 +1,4 @@
-# cmake -DNM= -DLIBRARY= -DPROGRAMS= -DHEADER= -P exports.cmake: the library exports the functions of the header and nothing
+# cmake -DNM= -DLIBRARY= -DPROGRAMS= -DHEADERS= -P exports.cmake: the library exports the functions of the headers and nothing
 # else, and the programs together call all of them.
 function(names output pattern text)
   string(REGEX MATCHALL "${pattern}" found "${text}")
@@ -10,12 +10,16 @@ endfunction()
 
 function(must_be_equal what is wanted)
   if(NOT "${is}" STREQUAL "${wanted}")
-    message(FATAL_ERROR "${what}:\n  ${is}\nbut the header declares:\n  ${wanted}")
+    message(FATAL_ERROR "${what}:\n  ${is}\nbut the headers declare:\n  ${wanted}")
   endif()
 endfunction()
 
-file(READ ${HEADER} header)
-names(declared "HC_API [a-z0-9_ *]*hc_[a-z_]+\\(" "${header}")
+set(text "")
+foreach(header IN LISTS HEADERS)
+  file(READ ${header} content)
+  string(APPEND text "${content}")
+endforeach()
+names(declared "HC_API [a-z0-9_ *]*hc_[a-z_]+\\(" "${text}")
 execute_process(COMMAND ${NM} -D --defined-only ${LIBRARY} OUTPUT_VARIABLE exported COMMAND_ERROR_IS_FATAL ANY)
 string(REGEX MATCHALL "[^\n]+" lines "${exported}")
 list(FILTER lines EXCLUDE REGEX " hc_[a-z_]+$")

@@ -43,12 +43,13 @@ else()
   target_compile_definitions(c_api_test PRIVATE HONEYCOMB_WITHOUT_VULKAN)
 endif()
 
-# No function of the library that the programs don't call, and none beside those of the header.
+# No function of the library that the programs don't call, and none beside those of the headers.
+get_target_property(capi_headers honeycomb_c HEADER_SET)
 add_test(NAME c_api_exports COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} -DLIBRARY=$<TARGET_FILE:honeycomb_c>
-  "-DPROGRAMS=${capi_programs}" -DHEADER=${PROJECT_SOURCE_DIR}/capi/include/honeycomb.h
+  "-DPROGRAMS=${capi_programs}" "-DHEADERS=${capi_headers}"
   -P ${CMAKE_CURRENT_LIST_DIR}/exports.cmake)
 
-# The header and the program by every C compiler there is, as C99, C11 and C++.
+# The headers and the program by every C compiler there is, as C99, C11 and C++.
 find_program(HONEYCOMB_GCC gcc)
 find_program(HONEYCOMB_CLANG clang-14)
 foreach(compiler IN ITEMS HONEYCOMB_GCC HONEYCOMB_CLANG)
@@ -59,7 +60,7 @@ foreach(compiler IN ITEMS HONEYCOMB_GCC HONEYCOMB_CLANG)
       string(REGEX REPLACE ".*=" "" standard "${language}")
       separate_arguments(language)
       add_test(NAME c_api_header.${standard}.${compiler} COMMAND ${${compiler}} -x ${language} -Wall -Wextra -pedantic -Werror
-        -fsyntax-only ${PROJECT_SOURCE_DIR}/capi/include/honeycomb.h)
+        -fsyntax-only ${capi_headers})
     endforeach()
   endif()
 endforeach()
