@@ -19,13 +19,20 @@ float widthOf(const char* text) {
   return ImGui::CalcTextSize(text).x;
 }
 
-void plot(const char* label, const History& history, const std::string& value) {
+// What stands right in the panel ends where graphs do.
+constexpr float kGraphWidth = 220;
+
+void row(const char* label, const std::string& value) {
   ImGui::TextDisabled("%s", label);
-  ImGui::SameLine(220 - widthOf(value.c_str()));
+  ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + kGraphWidth - widthOf(value.c_str()));
   ImGui::TextUnformatted(value.c_str());
+}
+
+void plot(const char* label, const History& history, const std::string& value) {
+  row(label, value);
   const auto values = history.values();
   ImGui::PlotLines(fmt::format("##{}", label).c_str(), values.data(), static_cast<int>(values.size()), 0, nullptr, 0,
-                   std::max(1.15f * history.most(), 1e-3f), {220, 34});
+                   std::max(1.15f * history.most(), 1e-3f), {kGraphWidth, 34});
 }
 
 std::string milliseconds(const History& history) {
@@ -53,10 +60,10 @@ void layOutGraphs(const Player& player, const InterfaceFacts& facts) {
   ImGui::Text("%.1f frames a second", facts.framesPerSecond);
   ImGui::TextDisabled("%s", facts.device.c_str());
   plot("evaluate", histories.evaluate, milliseconds(histories.evaluate));
-  for (const Osd::LevelTime& level : histories.levels)
-    ImGui::TextDisabled("%s", fmt::format("  level {}{}  {:.2f} ms on the device", level.level,
-                                          level.limits ? " limits" : "", level.milliseconds)
-                                  .c_str());
+  for (const Osd::LevelTime& level : histories.levels) {
+    const std::string label = fmt::format(" device, level {}{}", level.level, level.limits ? " limits" : "");
+    row(label.c_str(), fmt::format("{:.2f} ms", level.milliseconds));
+  }
   plot("upload", histories.upload, milliseconds(histories.upload));
   plot("draw", histories.draw, milliseconds(histories.draw));
   if (player.comparing)
