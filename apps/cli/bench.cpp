@@ -98,6 +98,7 @@ Result<void> measure(const Setup& setup) {
   if (auto printed = printResult(benchHeading(report)); !printed) return printed;
   for (const SchemeChain& chain : chains) {
     if (auto compared = compareLevel(setup, chain, report); !compared) return compared;
+    if (setup.command.withoutBuilding) continue;
     if (auto built = buildLevel(setup, chain, report); !built) return built;
   }
   return writeJson(setup.command, report);

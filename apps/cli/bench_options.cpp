@@ -104,6 +104,7 @@ void BenchCommand::addTo(CLI::App& subcommand) {
       ->capture_default_str();
   subcommand.add_option("--samples", sampling.samples, "Times that each evaluator has its turn")->capture_default_str();
   subcommand.add_option("--sample-ms", sampling.sampleMs, "Milliseconds a turn takes at least")->capture_default_str();
+  subcommand.add_flag("--no-building", withoutBuilding, "Leave out what building tables takes, ours and OpenSubdiv's");
   subcommand.add_option("--json", json, "Write everything that was measured to this file");
 }
 

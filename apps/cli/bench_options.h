@@ -27,6 +27,7 @@ struct BenchCommand {
   std::string layouts = "xyz,xyzw";
   std::string normals = "none";
   Bench::SamplingOptions sampling;
+  bool withoutBuilding = false;
   std::string json;  ///< a file; empty: none
 
   /// Adds all options to a subcommand, which writes into this object: it must stay in place.

@@ -46,6 +46,16 @@ TEST_F(BenchTest, EveryEvaluatorLevelAndLayoutIsMeasuredOrSkippedWithAReason) {
   for (const json& skipped : all.at("skipped")) EXPECT_NE(skipped.at("why"), "");
 }
 
+TEST_F(BenchTest, BuildingIsLeftOutWhereNobodyWantsIt) {
+  const std::vector<std::string> arguments = {"--faces", "64", "--levels", "2", "--evaluators", "serial"};
+  EXPECT_FALSE(bench(arguments).at("build").empty());
+  std::vector<std::string> without = arguments;
+  without.emplace_back("--no-building");
+  const json all = bench(without);
+  EXPECT_TRUE(all.at("build").empty());
+  EXPECT_EQ(all.at("runs").size(), 2U) << "two layouts";
+}
+
 TEST_F(BenchTest, JsonHasTheSchemaThatIsPromised) {
   const json all = bench({"--faces", "64", "--levels", "2", "--evaluators", "serial,tbb,csr", "--threads", "2"});
   for (const char* fact : {"processor", "threads", "caches", "memory_bytes", "compiler", "flags", "version"})
