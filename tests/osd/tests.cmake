@@ -12,6 +12,7 @@ honeycomb_test(osd_tests
     ${CMAKE_CURRENT_LIST_DIR}/simd_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/tile_limits_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/tile_normals_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/tile_streams_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/tiles_test.cpp
   LIBRARIES honeycomb::test_support honeycomb::far honeycomb::osd honeycomb::io hwy::hwy)
 
