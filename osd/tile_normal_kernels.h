@@ -27,7 +27,7 @@ void frameNormals(const Far::TileFrames& frames, const Real* w, const Far::TileC
                   View<Real> to) {
   const std::int32_t n = frames.sides;
   const View<const Real> own = byTilePoint(points);
-  Far::TilePoint room[Far::kLargestCirculant];
+  Far::TilePoint room[Far::kLargestCirculant] = {};
   for (std::int32_t g = 0; g < frames.count; ++g) {
     const Far::TilePoint* index = corners.of(g, room);
     const auto t1 = blockedSum<3>(w + n, index, n, own);
