@@ -105,6 +105,9 @@ bool wantsHugePage(const std::byte* byte) {
 class HugePagesTest : public testing::Test {
   void SetUp() override {
     if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage/enabled")) GTEST_SKIP() << "no such pages";
+    const FreshMemory memory(1);
+    ::madvise(memory.begin(), kHugePage, MADV_HUGEPAGE);
+    if (!wantsHugePage(memory.begin())) GTEST_SKIP() << "advice is not kept, as in qemu";
   }
 };
 
