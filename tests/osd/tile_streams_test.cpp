@@ -25,15 +25,6 @@ constexpr float kGuard = -12345.5F;
 /// In a cache line where targets begin; sanitizers get two of them.
 constexpr std::uint64_t kBeginnings = meshes(kLineNumbers);
 
-void add(PolyMesh& mesh, const PolyMesh& part) {
-  const std::size_t first = mesh.points.size();
-  mesh.points.insert(mesh.points.end(), part.points.begin(), part.points.end());
-  for (Loop loop : part.faces) {
-    for (std::size_t& v : loop) v += first;
-    mesh.faces.push_back(loop);
-  }
-}
-
 /// Closed and open parts with faces of 3 to 9 sides, enough of each for vectors of them and some left over, and of 64.
 PolyMesh facesOfAllSides() {
   PolyMesh mesh;
@@ -41,10 +32,10 @@ PolyMesh facesOfAllSides() {
     for (int copy = 0; copy < 5; ++copy) {
       PolyMesh part = prism(sides);
       if (copy == 2) part.faces.pop_back();
-      add(mesh, part);
+      append(mesh, part);
     }
   }
-  for (const PolyMesh& part : {grid(7, 5), torus(5, 4), wheel(5), fan(4), prism(64)}) add(mesh, part);
+  for (const PolyMesh& part : {grid(7, 5), torus(5, 4), wheel(5), fan(4), prism(64)}) append(mesh, part);
   return mesh;
 }
 

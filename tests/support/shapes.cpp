@@ -161,4 +161,13 @@ PolyMesh honeycomb(std::size_t n) {
   return mesh;
 }
 
+void append(PolyMesh& mesh, const PolyMesh& part) {
+  const std::size_t first = mesh.points.size();
+  mesh.points.insert(mesh.points.end(), part.points.begin(), part.points.end());
+  for (Loop loop : part.faces) {
+    for (std::size_t& v : loop) v += first;
+    mesh.faces.push_back(std::move(loop));
+  }
+}
+
 }  // namespace honeycomb::Test

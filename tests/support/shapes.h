@@ -23,4 +23,7 @@ PolyMesh fan(std::size_t n);
 /// n x n regular hexagons with sides of length 1, open.
 PolyMesh honeycomb(std::size_t n);
 
+/// Adds a part that shares nothing with the mesh.
+void append(PolyMesh& mesh, const PolyMesh& part);
+
 }  // namespace honeycomb::Test

@@ -151,14 +151,7 @@ TEST_F(TilesTest, WhoseFacesHaveOtherWeightsAtEveryLevel) {
 TEST_F(TilesTest, OfSoManyLargeFacesThatAWorkgroupsLoopsTurnOften) {
   const Meshes::PolyMesh prism = Meshes::prism(60);
   Meshes::PolyMesh mesh;
-  for (int copy = 0; copy < 240; ++copy) {
-    const std::size_t first = mesh.points.size();
-    mesh.points.insert(mesh.points.end(), prism.points.begin(), prism.points.end());
-    for (auto face : prism.faces) {
-      for (auto& vertex : face) vertex += first;
-      mesh.faces.push_back(std::move(face));
-    }
-  }
+  for (int copy = 0; copy < 240; ++copy) Meshes::append(mesh, prism);
   const Far::Refinement refinement = aklemanOf(mesh, 2);
   EXPECT_TRUE(agree(refinement, {.scratchPoints = 8192}));
   evaluator.emplace(makeEvaluator({.maxWorkgroupsInRow = 1}));
