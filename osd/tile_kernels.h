@@ -130,12 +130,14 @@ void tileFaces(const Far::TileTable& table, const Far::TileStep& step, std::int3
   const Far::TileCorners corners = cornersOf(table, step);
   Far::TilePoint room[kMost];
   std::array<Real, at(Width)> p[kMost];
+  StageTarget targets[Far::kMaxLevels + 1];
+  for (std::int32_t s = 0; s < stages; ++s) targets[s] = stageTarget(table, step, s, views);
   for (std::int32_t g = 0; g < step.count; ++g) {
     const Far::TilePoint* index = corners.of(g, room);
     for (std::int32_t i = 0; i < n; ++i) p[i] = load<Width>(read.point(index[i]));
     const Far::FacePlaces places = Far::placesOfFace(table.places, g, n);
     for (std::int32_t s = 0; s < stages; ++s) {
-      const StageTarget target = stageTarget(table, step, s, views);
+      const StageTarget& target = targets[s];
       const bool kept = target.kept >= 0;
       const View<Real> out = kept ? View<Real>{own.point(target.kept + places.first), own.stride * places.step}
                                   : View<Real>{views.target.point(target.outputs.of(g, n)), views.target.stride};

@@ -38,19 +38,17 @@ class Stream {
 
   /// Where to write the `count` numbers that go to p.
   HWY_INLINE float* room(float* p, std::int64_t count) {
-    if (p != line_ + fill_ || fill_ >= Kernels::kStreamNumbers) makeRoom(p);
-    float* const to = buffer_ + fill_;
-    fill_ += count;
-    return to;
+    makeReady(p);
+    return take(count);
   }
 
   /// How many times `count` numbers have room that go to p and behind it; at least once.
-  std::int32_t roomFor(float* p, std::int64_t count) {
-    if (p != line_ + fill_ || fill_ >= Kernels::kStreamNumbers) makeRoom(p);
+  HWY_INLINE std::int32_t roomFor(float* p, std::int64_t count) {
+    makeReady(p);
     return static_cast<std::int32_t>((Kernels::kStreamNumbers - fill_ + count - 1) / count);
   }
   /// Where to write so many of the numbers that there is room for.
-  float* take(std::int64_t count) {
+  HWY_INLINE float* take(std::int64_t count) {
     float* const to = buffer_ + fill_;
     fill_ += count;
     return to;
@@ -68,7 +66,8 @@ class Stream {
 
   /// To be called behind the last numbers.
   void finish() {
-    flush();
+    sendLines();
+    endRow();
     for (Piece& piece : pieces_) write(piece);
     hwy::FlushStream();
   }
@@ -115,10 +114,14 @@ class Stream {
     copyLine(from, piece.numbers);
   }
 
+  HWY_INLINE void makeReady(float* p) {
+    if (p != line_ + fill_ || fill_ >= Kernels::kStreamNumbers) makeRoom(p);
+  }
+
   HWY_NOINLINE void makeRoom(float* p) {
     sendLines();
     if (p == line_ + fill_) return;
-    if (fill_ > begin_) putOff(line_, buffer_, begin_, fill_);
+    endRow();
     begin_ = fill_ = static_cast<std::int64_t>(reinterpret_cast<std::uintptr_t>(p) / sizeof(float) % kLine);
     line_ = p - fill_;
   }
@@ -141,8 +144,8 @@ class Stream {
     begin_ = 0;
   }
 
-  void flush() {
-    sendLines();
+  /// Puts off what is left of it.
+  HWY_INLINE void endRow() {
     if (fill_ > begin_) putOff(line_, buffer_, begin_, fill_);
     begin_ = fill_;
   }

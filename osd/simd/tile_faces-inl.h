@@ -40,7 +40,6 @@ struct StepFaces {
   std::int32_t stages;
   StageTarget targets[kMostStages];
   const float* weights[kMostStages];
-  const Kernels::Outputs* outputs = nullptr;  ///< of the stage that is written; null if none is
   bool fours;
   float* crosses = nullptr;            ///< where T1 x T2 of each face goes, kTileStride apart, if wanted
   const float* spanWeights = nullptr;  ///< and of what: a | b of FrameBatch, null where crossOfCorners does
@@ -55,7 +54,6 @@ struct StepFaces {
     for (std::int32_t i = 0; i < stages; ++i) {
       targets[i] = Kernels::stageTarget(table, s, i, views);
       weights[i] = table.weightsSingle.data() + table.stages[at(s.firstStage + i)].firstWeight;
-      if (targets[i].wanted) outputs = &targets[i].outputs;
     }
     if (views.normals == nullptr) return;
     const Far::TileNormals& normals = table.normals;
@@ -65,6 +63,14 @@ struct StepFaces {
     const float* const spans = normals.weightsSingle.data() + born.firstWeight + s.width;
     const bool differ = (s.width == 4 && areDifferences<4>(spans)) || (s.width == 6 && areDifferences<6>(spans));
     spanWeights = differ ? nullptr : spans;
+  }
+
+  /// Of the stage that is written; null if none is.
+  const Kernels::Outputs* outputs() const {
+    for (std::int32_t i = 0; i < stages; ++i) {
+      if (targets[i].wanted) return &targets[i].outputs;
+    }
+    return nullptr;
   }
 };
 
@@ -152,7 +158,7 @@ HWY_INLINE std::int32_t evolve(D d, const StepFaces& faces, std::int32_t face, S
       for (int i = 0; i < N; ++i) p[i] = out[i];
     }
   };
-  return forVectors<kBlocks<D>>(faces.outputs, N, face, faces.step.count, sink, NoSink{}, body);
+  return forVectors<kBlocks<D>>(faces.outputs(), N, face, faces.step.count, sink, NoSink{}, body);
 }
 
 template <CirculantForm kForm, int N, bool kFours, bool kPairs, class Sink>
@@ -202,7 +208,7 @@ void facesOfAnyKind(const StepFaces& faces, Sink sink) {
       for (int i = 0; i < n; ++i) p[i] = out[i];
     }
   };
-  forVectors<1>(faces.outputs, n, 0, faces.step.count, sink, NoSink{}, body);
+  forVectors<1>(faces.outputs(), n, 0, faces.step.count, sink, NoSink{}, body);
 }
 
 template <class Sink>
